@@ -1,0 +1,39 @@
+# The two commands of the README, and what developers add to them. Needs Python >= 3.11 and make.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+
+.PHONY: demo test validate lint format golden clean
+
+demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
+	$(BIN)/ftc-jsb compare paper
+
+test: lint  ## Every check
+	$(BIN)/pytest -n 2 -m "not validate"
+
+validate: $(READY)  ## Long flights and many flights; writes docs/validation.md
+	$(BIN)/pytest -n 2 -m validate
+
+lint: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+format: $(READY)
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+golden: $(READY)  ## Rewrite the golden flights; say why in the commit
+	$(BIN)/pytest -n 0 tests/regression --rewrite-golden
+
+$(READY): pyproject.toml constraints.txt
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "ftc-jsb needs Python 3.11 or later; try make PYTHON=python3.12")'
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --upgrade pip --constraint constraints.txt
+	$(BIN)/python -m pip install --quiet --editable ".[dev]" --constraint constraints.txt
+	touch $@
+
+clean:
+	rm -rf $(VENV) build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

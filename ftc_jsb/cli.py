@@ -1,0 +1,235 @@
+"""The command line: parse, call, print. Imports what a command needs only when it runs."""
+
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import click
+
+import ftc_jsb
+from ftc_jsb.errors import UserError
+
+if TYPE_CHECKING:
+    from ftc_jsb.scenario.schema import Scenario
+
+DONE, LIMIT_BROKEN, BAD_USAGE, INTERRUPTED = 0, 1, 2, 130
+
+_scenario_argument = click.argument("scenario", metavar="SCENARIO")
+_set_option = click.option(
+    "--set", "overrides", metavar="KEY=VALUE", multiple=True, help="Override a key of the scenario."
+)
+_out_option = click.option(
+    "--out", metavar="DIR", type=click.Path(path_type=Path), help="Folder for the results."
+)
+_force_option = click.option("--force", is_flag=True, help="Write into DIR though it is not empty.")
+_json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON for machines.")
+
+
+class _Commands(click.Group):
+    """Turns every `UserError` into one sentence and exit code 2."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except UserError as error:
+            click.echo(f"ftc-jsb: {error}", err=True)
+            sys.exit(BAD_USAGE)
+        except KeyboardInterrupt:
+            click.echo("ftc-jsb: interrupted", err=True)
+            sys.exit(INTERRUPTED)
+
+
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(ftc_jsb.__version__, prog_name="ftc-jsb")
+def main() -> None:
+    """Fault-tolerant flight control on a point mass and on JSBSim fighters.
+
+    SCENARIO is the path of a .toml file or the name of a shipped one: see `ftc-jsb list`.
+    """
+
+
+@main.command()
+@_scenario_argument
+@click.option(
+    "--model", type=click.Choice(["paper", "identified", "jsbsim"]), help="What is flown."
+)
+@click.option("--loop", metavar="NAME", help="Outer loop: a name, or package.module:Class.")
+@_set_option
+@_out_option
+@_force_option
+@_json_option
+def fly(
+    scenario: str,
+    model: str | None,
+    loop: str | None,
+    overrides: tuple[str, ...],
+    out: Path | None,
+    force: bool,
+    as_json: bool,
+) -> None:
+    """Fly SCENARIO once; write flight.nc and metrics.json."""
+    from ftc_jsb.simulation.session import fly_and_save, output_folder
+
+    flown = _load(scenario, _with(overrides, model, loop))
+    folder = output_folder(out, flown.name, force)
+    _announce_compilation()
+    result = fly_and_save(flown, folder, _progress_for(flown, as_json))
+    if as_json:
+        click.echo(json.dumps(result.document, indent=2))
+    else:
+        from ftc_jsb.report.table import print_table
+
+        print_table({result.label: result.metrics})
+        click.echo(f"Recording: {folder / 'flight.nc'}")
+    _exit_by(result.metrics)
+
+
+@main.command()
+@_scenario_argument
+@_set_option
+@_out_option
+@_force_option
+@_json_option
+def compare(
+    scenario: str, overrides: tuple[str, ...], out: Path | None, force: bool, as_json: bool
+) -> None:
+    """Fly every model and loop of [compare]; write recordings, metrics.json and report.html."""
+    from ftc_jsb.simulation.session import compare_and_save, output_folder
+
+    flown = _load(scenario, overrides)
+    folder = output_folder(out, f"compare-{flown.name}", force)
+    _announce_compilation()
+    flights, interrupted = compare_and_save(flown, folder, _progress_for(flown, as_json))
+    _write_report(flights, folder, as_json)
+    if interrupted:
+        sys.exit(INTERRUPTED)
+
+
+@main.command()
+@click.argument(
+    "recordings", metavar="FLIGHT.nc...", nargs=-1, required=True, type=click.Path(path_type=Path)
+)
+@_out_option
+@_force_option
+@_json_option
+def report(recordings: tuple[Path, ...], out: Path | None, force: bool, as_json: bool) -> None:
+    """Write the report of recordings that exist."""
+    from ftc_jsb.simulation.session import labelled_recordings, output_folder
+
+    flights, broken = labelled_recordings(recordings)
+    for message in broken:
+        click.echo(f"ftc-jsb: {message}", err=True)
+    folder = output_folder(out, "report", force)
+    _write_report(flights, folder, as_json)
+    if broken:
+        sys.exit(BAD_USAGE)
+
+
+@main.command()
+@click.argument("file", metavar="FILE")
+@_set_option
+def check(file: str, overrides: tuple[str, ...]) -> None:
+    """Read and validate a scenario, its aircraft and its loops, without flying."""
+    from ftc_jsb.simulation.session import check_scenario
+
+    flown = _load(file, overrides)
+    for line in check_scenario(flown):
+        click.echo(line)
+
+
+@main.command("list")
+@click.argument("kind", required=False, type=click.Choice(["scenarios", "aircraft", "loops"]))
+def list_(kind: str | None) -> None:
+    """List what is shipped: scenarios, aircraft, loops."""
+    from ftc_jsb.simulation.session import inventory
+
+    for title, entries in inventory().items():
+        if kind in (None, title):
+            click.echo(f"{title}:")
+            width = max(map(len, entries))
+            for name, meaning in entries.items():
+                click.echo(f"  {name:<{width}}  {meaning}")
+
+
+@main.command()
+@click.argument("aircraft", metavar="AIRCRAFT")
+@_out_option
+@_force_option
+def identify(aircraft: str, out: Path | None, force: bool) -> None:
+    """Fit the point mass of AIRCRAFT to virtual flight tests; write point_mass.toml."""
+    from ftc_jsb.identify.identify import identify as run
+    from ftc_jsb.identify.identify import write_point_mass
+    from ftc_jsb.simulation.session import output_folder
+    from ftc_jsb.six_dof.aircraft import load_aircraft
+
+    loaded = load_aircraft(aircraft)
+    folder = output_folder(out, f"identify-{loaded.name}", force)
+    contents = run(loaded, lambda line: click.echo(line, err=True))
+    path = folder / "point_mass.toml"
+    write_point_mass(path, contents)
+    for key, value in contents["identification"].items():
+        click.echo(f"{key}: {value}")
+    click.echo(f"Written: {path}")
+
+
+# --- what the commands share ------------------------------------------------------------------
+
+
+def _load(name: str, overrides: Sequence[str]) -> "Scenario":
+    from ftc_jsb.scenario.load import load_scenario
+
+    return load_scenario(name, overrides)
+
+
+def _with(overrides: tuple[str, ...], model: str | None, loop: str | None) -> list[str]:
+    extra = [f'model="{model}"'] if model else []
+    extra += [f"loop.name={json.dumps(loop)}"] if loop else []
+    return [*overrides, *extra]
+
+
+def _announce_compilation() -> None:
+    from ftc_jsb.compiled import is_first_run
+
+    if is_first_run():
+        click.echo("Compiling the numerical kernels (first run only, about 15 s) ...", err=True)
+
+
+def _progress_for(scenario: "Scenario", quiet: bool) -> Any:
+    from ftc_jsb.report.progress import Progress
+
+    return Progress(scenario, enabled=sys.stderr.isatty() and not quiet)
+
+
+def _write_report(flights: dict[str, Any], folder: Path, as_json: bool) -> None:
+    from ftc_jsb.report.page import write_report
+    from ftc_jsb.report.table import print_table
+    from ftc_jsb.simulation.session import document
+
+    command = " ".join(["ftc-jsb", *sys.argv[1:]])
+    metrics = write_report(flights, folder, command)
+    if as_json:
+        click.echo(json.dumps(document(metrics), indent=2))
+    else:
+        print_table(metrics)
+        click.echo(f"Report: {folder / 'report.html'}")
+
+
+def _exit_by(metrics: dict[str, Any]) -> NoReturn:
+    from ftc_jsb.metrics import passed
+
+    for limit in metrics["limits_broken"]:
+        click.echo(
+            f"ftc-jsb: limit broken: {limit['name']} first at {limit['time']:.2f} s, "
+            f"worst {limit['value']:.4g} against {limit['limit']:g}",
+            err=True,
+        )
+    if metrics["status"] == "interrupted":
+        click.echo(f"ftc-jsb: interrupted at {metrics['end_time_s']:.2f} s; saved", err=True)
+        sys.exit(INTERRUPTED)
+    if metrics["status"] == "departed":
+        click.echo(
+            f"ftc-jsb: departed at {metrics['end_time_s']:.2f} s: {metrics['reason']}", err=True
+        )
+    sys.exit(DONE if passed(metrics) else LIMIT_BROKEN)

@@ -1,0 +1,1 @@
+"""Command filter, law, outer loops and their registry."""

@@ -1,0 +1,92 @@
+"""Command filter F = w^2 / (s^2 + 2 z w s + w^2) of section 5, sampled without error.
+
+It turns the raw commands (44) into references y_m with a derivative that exists everywhere.
+"""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.compiled import compiled
+
+COMMAND_FILTER = np.dtype(
+    [
+        ("transition", float, (2, 2)),
+        ("from_now", float, (2,)),  # effect of the raw command at the start of a sample
+        ("from_next", float, (2,)),  # and at its end
+        ("value", float, (3,)),  # airspeed, flight path angle, heading
+        ("slope", float, (3,)),
+    ]
+)
+
+
+def command_filter(
+    frequency: float, damping: float, dt: float, initial: npt.ArrayLike
+) -> npt.NDArray[Any]:
+    """A COMMAND_FILTER array of one record, at rest on `initial`.
+
+    The input is taken as linear over a sample, which (44) is between its breakpoints; the step is
+    then the exact solution of F (first-order hold, Van Loan 1978).
+
+    Args:
+        frequency: w [rad/s].
+        damping: z [-].
+        dt: sample time [s].
+        initial: (3,), raw commands at the start.
+    """
+    from scipy.linalg import expm
+
+    augmented = np.zeros((4, 4))
+    augmented[:2, :2] = [[0.0, 1.0], [-(frequency**2), -2.0 * damping * frequency]]
+    augmented[1, 2] = frequency**2
+    augmented[2, 3] = 1.0 / dt  # the input rises linearly from now to next
+    step = expm(augmented * dt)
+    filters = np.zeros(1, COMMAND_FILTER)
+    filters["transition"][0] = step[:2, :2]
+    filters["from_next"][0] = step[:2, 3]
+    filters["from_now"][0] = step[:2, 2] - step[:2, 3]
+    filters["value"][0] = initial
+    return filters
+
+
+@compiled
+def reference_step(filters: Any, record: Any, i: int) -> None:
+    """Write the references of row `i` and advance the filter to row `i + 1`.
+
+    Args:
+        filters: (1,) COMMAND_FILTER.
+        record: (rows,) of the recording; the raw commands of rows i and i + 1 are read.
+        i: row.
+    """
+    f = filters[0]
+    row = record[i]
+    row.airspeed_ref = f.value[0]
+    row.flight_path_angle_ref = f.value[1]
+    row.heading_ref = f.value[2]
+    row.airspeed_ref_rate = f.slope[0]
+    row.flight_path_angle_ref_rate = f.slope[1]
+    row.heading_ref_rate = f.slope[2]
+    if i + 1 == record.size:
+        return
+    after = record[i + 1]
+    _advance(f, 0, row.airspeed_cmd_raw, after.airspeed_cmd_raw)
+    _advance(f, 1, row.flight_path_angle_cmd_raw, after.flight_path_angle_cmd_raw)
+    _advance(f, 2, row.heading_cmd_raw, after.heading_cmd_raw)
+
+
+@compiled
+def _advance(f: Any, k: int, now: float, after: float) -> None:
+    value, slope = f.value[k], f.slope[k]
+    f.value[k] = (
+        f.transition[0, 0] * value
+        + f.transition[0, 1] * slope
+        + f.from_now[0] * now
+        + f.from_next[0] * after
+    )
+    f.slope[k] = (
+        f.transition[1, 0] * value
+        + f.transition[1, 1] * slope
+        + f.from_now[1] * now
+        + f.from_next[1] * after
+    )

@@ -1,0 +1,27 @@
+"""Failures that are the user's to mend: one clear sentence, exit code 2, no traceback."""
+
+
+class UserError(Exception):
+    """Bad usage, a bad file or a trim failure. The message names the file, the key or property,
+    the value and what was expected.
+    """
+
+
+class ScenarioError(UserError):
+    """A scenario file or an override of it cannot be used."""
+
+
+class AircraftError(UserError):
+    """An aircraft folder cannot be used: missing, invalid, or not what JSBSim accepts."""
+
+
+class TrimError(UserError):
+    """JSBSim found no trim at the initial condition, or the trim does not hold."""
+
+
+class LoopError(UserError):
+    """An outer loop cannot be found, built or used."""
+
+
+class RecordingError(UserError):
+    """A recording cannot be read, or a folder for one cannot be written."""

@@ -1,0 +1,93 @@
+"""Measurement update (31)-(34) for y = [airspeed, flight path angle, heading], with gate and bounds.
+
+The outputs are the first three states, so (31)-(33) are exact without sigma points:
+P_yy = H P H^T + R and P_xy = P H^T. The covariance of (34), P - K P_yy K^T, is formed as
+(I - K H) P (I - K H)^T + K R K^T, which is the same matrix for this K and stays positive definite
+under rounding (Bucy and Joseph 1968).
+"""
+
+import math
+from typing import Any
+
+from ftc_jsb.compiled import compiled
+from ftc_jsb.estimation.cholesky import cholesky, cholesky_solve
+from ftc_jsb.estimation.process import OUTPUTS
+
+
+@compiled
+def update(
+    filter_state: Any,
+    measurement: Any,
+    measurement_noise: Any,
+    gate: float,
+    gate_patience: int,
+    floor: float,
+) -> None:
+    """Correct `filter_state` in place by one measurement.
+
+    A measurement with an element that is not finite is skipped. With a gate, one whose normalised
+    innovation squared exceeds it is skipped too, but not more than `gate_patience` times in a row:
+    an outlier passes by, and a real jump is followed.
+
+    Args:
+        filter_state: FILTER record.
+        measurement: (3,) airspeed [m/s], flight path angle and heading [rad].
+        measurement_noise: (3,), diagonal of R.
+        gate: bound on the normalised innovation squared; 0 = no gate.
+        gate_patience: samples in a row that may be refused.
+        floor: lower bound of the effectiveness estimates, whose upper bound is then 1; 0 = neither.
+    """
+    n = filter_state.count
+    estimate = filter_state.estimate
+    covariance = filter_state.covariance
+    factor = filter_state.factor
+    gain = filter_state.gain
+    innovation = filter_state.innovation
+    spread = filter_state.innovation_covariance
+    usable = True
+    for i in range(OUTPUTS):  # (32), (33)
+        innovation[i] = measurement[i] - estimate[i]
+        usable = usable and math.isfinite(innovation[i])
+        for j in range(OUTPUTS):
+            spread[i, j] = covariance[i, j]
+        spread[i, i] += measurement_noise[i]
+    cholesky(spread, OUTPUTS, factor)
+    whitened = filter_state.points[0]
+    for i in range(OUTPUTS):
+        whitened[i] = innovation[i]
+    cholesky_solve(factor, OUTPUTS, whitened)
+    filter_state.nis = 0.0
+    for i in range(OUTPUTS):
+        filter_state.nis += innovation[i] * whitened[i]
+    if gate > 0.0 and filter_state.nis > gate and filter_state.rejected < gate_patience:
+        usable = False
+        filter_state.rejected += 1
+    elif usable:
+        filter_state.rejected = 0
+    if not usable:
+        return
+    for i in range(n):  # K = P_xy P_yy^-1, row by row
+        for j in range(OUTPUTS):
+            gain[i, j] = covariance[i, j]
+        cholesky_solve(factor, OUTPUTS, gain[i])
+    for i in range(n):  # (34)
+        for j in range(OUTPUTS):
+            estimate[i] += gain[i, j] * innovation[j]
+    product = filter_state.points  # (I - K H) P
+    for i in range(n):
+        for j in range(n):
+            total = covariance[i, j]
+            for k in range(OUTPUTS):
+                total -= gain[i, k] * covariance[k, j]
+            product[i, j] = total
+    for i in range(n):
+        for j in range(i + 1):
+            total = product[i, j]
+            for k in range(OUTPUTS):
+                total -= product[i, k] * gain[j, k]
+                total += gain[i, k] * measurement_noise[k] * gain[j, k]
+            covariance[i, j] = total
+            covariance[j, i] = total
+    if floor > 0.0:
+        for i in range(OUTPUTS, n):
+            estimate[i] = min(max(estimate[i], floor), 1.0)

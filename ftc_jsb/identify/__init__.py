@@ -1,0 +1,1 @@
+"""Virtual flight tests that fit a point mass to a JSBSim aircraft."""

@@ -1,0 +1,124 @@
+"""Numbers from flights: what `metrics.json` holds. No plotting, no files."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.disturbance.faults import fault_steps
+from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.simulation.limits import broken_limits, tracking_errors
+
+SETTLING = 2.0  # [s] after the start and after a fault step that the estimate is not judged in
+HEALTHY = 1.0 - 1e-9  # effectiveness below which there is a fault
+
+Metrics = dict[str, Any]
+
+
+def flight_metrics(flight: Flight) -> Metrics:
+    """Tracking, estimation, detection, effort and limits of one flight; units are in the keys.
+
+    A number that a flight cannot have is None: an estimation error without an estimator, a
+    detection delay without a fault.
+    """
+    record = flight.record
+    return {
+        "status": flight.outcome.status,
+        "end_time_s": float(flight.outcome.time),
+        "reason": flight.outcome.reason,
+        **_tracking(record),
+        **_estimation(record),
+        **_detection(record),
+        **_effort(record),
+        "real_time_factor": flight.real_time_factor,
+        "limits_broken": [
+            limit._asdict() for limit in broken_limits(record, flight.scenario.limits)
+        ],
+    }
+
+
+def passed(metrics: Metrics) -> bool:
+    """Whether a flight ended as planned, inside every limit."""
+    return metrics["status"] == "complete" and not metrics["limits_broken"]
+
+
+def _tracking(record: npt.NDArray[Any]) -> Metrics:
+    errors = tracking_errors(record)
+    units = {
+        "airspeed_mps": "error_airspeed",
+        "flight_path_deg": "error_flight_path_deg",
+        "heading_deg": "error_heading_deg",
+    }
+    return {
+        **{f"rmse_{key}": _rms(errors[name]) for key, name in units.items()},
+        **{f"peak_error_{key}": _peak(errors[name]) for key, name in units.items()},
+    }
+
+
+def judged(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
+    """(rows,): samples at which the effectiveness estimate is judged.
+
+    Not the first 2 s, nor 2 s after a step of the true effectiveness.
+    """
+    time = record["time"]
+    use = np.asarray(time >= SETTLING)
+    for step in fault_steps(record["effectiveness_thrust"]):
+        use &= ~((time >= time[step]) & (time < time[step] + SETTLING))
+    return use
+
+
+def _estimation(record: npt.NDArray[Any]) -> Metrics:
+    error = record["effectiveness_thrust_est"] - record["effectiveness_thrust"]
+    error = np.abs(error[judged(record)])
+    name = "effectiveness_thrust_error"
+    if error.size == 0 or not np.isfinite(error).all():
+        return {f"{name}_rms": None, f"{name}_p95": None, f"{name}_max": None}
+    return {
+        f"{name}_rms": _rms(error),
+        f"{name}_p95": float(np.percentile(error, 95.0)),
+        f"{name}_max": _peak(error),
+    }
+
+
+def _detection(record: npt.NDArray[Any]) -> Metrics:
+    time, truth = record["time"], record["effectiveness_thrust"]
+    declared = record["fault_declared"] > 0.5
+    faulty = np.flatnonzero(truth < HEALTHY)
+    estimates = bool(np.isfinite(record["effectiveness_thrust_est"]).any())
+    delay = None
+    if faulty.size and estimates:
+        after = np.flatnonzero(declared & (time >= time[faulty[0]]))
+        delay = float(time[after[0]] - time[faulty[0]]) if after.size else None
+    recently = np.array(truth < HEALTHY)  # faulty now, or less than SETTLING ago
+    for end in np.flatnonzero(np.diff(recently.astype(int)) == -1) + 1:
+        recently |= (time >= time[end]) & (time < time[end] + SETTLING)
+    onsets = np.flatnonzero(np.diff(declared.astype(int), prepend=0) == 1)
+    return {
+        "detection_delay_s": delay,
+        "false_alarms": int(np.sum(~recently[onsets])) if estimates else None,
+    }
+
+
+def _effort(record: npt.NDArray[Any]) -> Metrics:
+    saturated = (record["thrust_saturated"] > 0.5) | (record["load_factor_saturated"] > 0.5)
+    duration = record["time"][-1] - record["time"][0]
+    travel = np.nansum(np.abs(np.diff(record["thrust_cmd"])))
+    return {
+        "saturated_fraction": float(np.mean(saturated)),
+        "thrust_travel_n_per_s": float(travel / duration) if duration > 0.0 else 0.0,
+        "peak_thrust_n": _peak(record["thrust"]),
+        "peak_load_factor": _peak(record["load_factor"]),
+        "peak_bank_deg": _peak(np.degrees(record["bank_angle"])),
+        "peak_alpha_deg": _peak(np.degrees(record["alpha"])),
+        "peak_sideslip_deg": _peak(np.degrees(record["sideslip"])),
+    }
+
+
+def _rms(values: npt.NDArray[Any]) -> float | None:
+    finite = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(finite**2))) if finite.size else None
+
+
+def _peak(values: npt.NDArray[Any]) -> float | None:
+    finite = values[np.isfinite(values)]
+    return float(np.abs(finite).max()) if finite.size else None

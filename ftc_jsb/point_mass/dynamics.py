@@ -1,0 +1,109 @@
+"""The point-mass equations of motion (41)-(42), once: plant, filter and law all call these."""
+
+import math
+
+from ftc_jsb.compiled import compiled
+from ftc_jsb.point_mass.drag import angle_of_attack, drag_coefficient
+from ftc_jsb.point_mass.model import Condition
+
+
+@compiled
+def aerodynamic_state(
+    at: Condition, airspeed: float, thrust: float, load_factor: float
+) -> tuple[float, float]:
+    """Lift coefficient and angle of attack [rad] that give a load factor.
+
+    The load factor is all non-gravity force normal to the velocity over weight, so the thrust's
+    part T sin(alpha) is not lift: C_L = (n W - T sin alpha) / (q S), alpha at the C_L without it.
+    With no angle of attack (the paper's aircraft), C_L = n W / (q S).
+    """
+    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
+    normal_coefficient = load_factor * at.mass * at.gravity / pressure_area
+    alpha = angle_of_attack(at, normal_coefficient)
+    lift_coefficient = normal_coefficient - thrust * math.sin(alpha) / pressure_area
+    return lift_coefficient, angle_of_attack(at, lift_coefficient)
+
+
+@compiled
+def polar_drag(
+    at: Condition, airspeed: float, thrust: float, load_factor: float
+) -> tuple[float, float]:
+    """Drag [N] by (43) and angle of attack [rad] at delivered thrust [N] and load factor."""
+    lift_coefficient, alpha = aerodynamic_state(at, airspeed, thrust, load_factor)
+    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
+    return pressure_area * drag_coefficient(at, lift_coefficient), alpha
+
+
+@compiled
+def path_rates(
+    at: Condition,
+    airspeed: float,
+    flight_path_angle: float,
+    along_path_force: float,
+    load_factor: float,
+    bank_angle: float,
+) -> tuple[float, float, float]:
+    """Rates of airspeed [m/s^2], flight path angle and heading [rad/s]: (41).
+
+    `along_path_force` is T cos(alpha) - D [N]; the paper has alpha = 0.
+    """
+    g = at.gravity
+    weight = at.mass * g
+    cos_path = math.cos(flight_path_angle)
+    return (
+        g * (along_path_force / weight - math.sin(flight_path_angle)),
+        g / airspeed * (load_factor * math.cos(bank_angle) - cos_path),
+        g * load_factor * math.sin(bank_angle) / (airspeed * cos_path),
+    )
+
+
+@compiled
+def derivatives(
+    at: Condition,
+    airspeed: float,
+    flight_path_angle: float,
+    thrust: float,
+    load_factor: float,
+    bank_angle: float,
+) -> tuple[float, float, float]:
+    """(41) with the drag polar: rates of airspeed, flight path angle and heading.
+
+    Args:
+        at: the model at this flight condition.
+        airspeed: [m/s]
+        flight_path_angle: [rad]
+        thrust: delivered [N]
+        load_factor: [-]
+        bank_angle: about the velocity [rad]
+
+    Returns:
+        [m/s^2], [rad/s], [rad/s]. Singular at zero airspeed and at a vertical path.
+    """
+    drag, alpha = polar_drag(at, airspeed, thrust, load_factor)
+    force = thrust * math.cos(alpha) - drag
+    return path_rates(at, airspeed, flight_path_angle, force, load_factor, bank_angle)
+
+
+@compiled
+def velocity(
+    airspeed: float, flight_path_angle: float, heading: float
+) -> tuple[float, float, float]:
+    """Velocity north, east and up [m/s]: (42), with the paper's x, y, z in that order."""
+    level = airspeed * math.cos(flight_path_angle)
+    return (
+        level * math.cos(heading),
+        level * math.sin(heading),
+        airspeed * math.sin(flight_path_angle),
+    )
+
+
+@compiled
+def level_trim_thrust(at: Condition, airspeed: float, flight_path_angle: float) -> float:
+    """Thrust [N] that holds airspeed and flight path angle, wings level, by fixed-point iteration."""
+    weight = at.mass * at.gravity
+    load_factor = math.cos(flight_path_angle)
+    thrust = 0.0
+    for _ in range(20):  # converges by a factor of about sin(alpha) a turn
+        drag, alpha = polar_drag(at, airspeed, thrust, load_factor)
+        thrust = (drag + weight * math.sin(flight_path_angle)) / math.cos(alpha)
+    return thrust

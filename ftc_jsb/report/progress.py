@@ -1,0 +1,42 @@
+"""A progress bar on a terminal, as an observer of flights."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy.typing as npt
+
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.fly import Observer
+
+EVERY = 50  # samples between updates
+
+
+class Progress:
+    """Called with the label of a flight, gives the observers that show how far it is."""
+
+    def __init__(self, scenario: Scenario, enabled: bool) -> None:
+        """Args: what is flown; whether to show anything."""
+        self._scenario = scenario
+        self._enabled = enabled
+
+    def __call__(self, label: str) -> Sequence[Observer]:
+        """Observers for one flight."""
+        if not self._enabled:
+            return ()
+        from rich.console import Console
+        from rich.progress import Progress as Bar
+        from rich.progress import TextColumn, TimeElapsedColumn
+
+        columns = (*Bar.get_default_columns(), TextColumn("{task.fields[seconds]} s flown"))
+        bar = Bar(*columns, TimeElapsedColumn(), console=Console(stderr=True), transient=True)
+        samples = self._scenario.samples
+        task = bar.add_task(label, total=samples, seconds="0")
+        bar.start()
+
+        def observe(record: npt.NDArray[Any], i: int) -> None:
+            if i % EVERY == 0 or i == samples:
+                bar.update(task, completed=i, seconds=f"{record[i]['time']:.0f}")
+            if i == samples:
+                bar.stop()
+
+        return (observe,)

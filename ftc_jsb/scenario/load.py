@@ -1,0 +1,126 @@
+"""Scenario files: found by name or path, overridden from the command line, validated, written out."""
+
+import json
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from ftc_jsb.errors import ScenarioError
+from ftc_jsb.resources import shipped
+from ftc_jsb.scenario.messages import first_problem
+from ftc_jsb.scenario.schema import Scenario
+
+
+def scenario_names() -> list[str]:
+    """Names of the shipped scenarios."""
+    return sorted(path.stem for path in shipped("scenarios").glob("*.toml"))
+
+
+def scenario_path(name: str) -> Path:
+    """Path of a scenario given as a path or as the name of a shipped one.
+
+    Raises:
+        ScenarioError: neither exists.
+    """
+    path = Path(name)
+    if path.is_file():
+        return path
+    candidate = shipped("scenarios") / f"{name}.toml"
+    if path.suffix != ".toml" and path.name == name and candidate.is_file():
+        return candidate
+    if path.suffix == ".toml" or path.name != name:
+        raise ScenarioError(f"{name}: no such file; expected the path of a scenario (.toml)")
+    known = ", ".join(scenario_names())
+    raise ScenarioError(
+        f"no scenario {name!r}; shipped are {known}; or give the path of a .toml file"
+    )
+
+
+def load_scenario(name: str, overrides: Sequence[str] = ()) -> Scenario:
+    """Read, override and validate a scenario.
+
+    Args:
+        name: path, or name of a shipped scenario.
+        overrides: `key=value` with dotted keys (`loop.gains=[2,1,1]`, `fault[0].start=10`); values
+            are TOML, a bare word is text.
+
+    Raises:
+        ScenarioError: with file, key and what was expected.
+    """
+    path = scenario_path(name)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{path}: cannot be read: {error}") from None
+    scenario = parse_scenario(text, str(path))
+    if not overrides:
+        return scenario
+    values = tomllib.loads(text)
+    for override in overrides:
+        _override(values, override)
+    try:
+        return _validated(values)
+    except ValidationError as error:
+        raise ScenarioError(f"--set on {path}: {first_problem(error)}") from None
+
+
+def parse_scenario(text: str, source: str) -> Scenario:
+    """Scenario of a TOML text; `source` names it in messages.
+
+    Raises:
+        ScenarioError: not TOML, or not a scenario.
+    """
+    try:
+        return _validated(tomllib.loads(text))
+    except tomllib.TOMLDecodeError as error:
+        raise ScenarioError(f"{source}: not TOML: {error}") from None
+    except ValidationError as error:
+        raise ScenarioError(f"{source}: {first_problem(error)}") from None
+
+
+def scenario_toml(scenario: Scenario) -> str:
+    """`scenario` as TOML, defaults included: what a recording carries, and what it is flown from."""
+    import tomli_w
+
+    return tomli_w.dumps(scenario.model_dump(mode="json", exclude_none=True))
+
+
+def _validated(values: dict[str, Any]) -> Scenario:
+    # Strict, by way of JSON: a text is no number, but an array may be a tuple.
+    return Scenario.model_validate_json(json.dumps(values, default=str), strict=True)
+
+
+def _override(values: dict[str, Any], override: str) -> None:
+    key, equals, text = override.partition("=")
+    if not equals or not key.strip():
+        raise ScenarioError(f"--set {override!r}: expected KEY=VALUE, such as loop.trim_filter=20")
+    try:
+        value = tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        value = text.strip()
+    parts = key.strip().replace("[", ".").replace("]", "").split(".")
+    place: Any = values
+    for index, part in enumerate(parts):
+        last = index == len(parts) - 1
+        if isinstance(place, list):
+            if not part.isdigit() or int(part) >= len(place):
+                raise ScenarioError(
+                    f"--set {key}: {'.'.join(parts[:index])} has {len(place)} entries; "
+                    f"{part!r} is none of 0 to {len(place) - 1}"
+                )
+            selector: Any = int(part)
+        else:
+            selector = part
+        if last:
+            place[selector] = value
+        else:
+            if isinstance(place, dict):
+                place.setdefault(selector, {})
+            place = place[selector]
+            if not isinstance(place, dict | list):
+                raise ScenarioError(
+                    f"--set {key}: {'.'.join(parts[: index + 1])} is a value, not a section"
+                )

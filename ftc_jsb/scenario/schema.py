@@ -1,0 +1,255 @@
+"""The scenario file, typed and bounded: every key, its unit and its default.
+
+Angles are in degrees in the file (`_deg`) and in radians everywhere else; `reference.py` and
+`simulation/` convert.
+"""
+
+from typing import Annotated, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+Model = Literal["paper", "identified", "jsbsim"]
+Channel = Literal["thrust", "load_factor", "bank_angle"]
+
+_Text = Annotated[str, Field(min_length=1, max_length=300)]
+_Time = Annotated[float, Field(ge=0.0, le=86400.0)]  # s
+_Point = tuple[_Time, Annotated[float, Field(ge=-1e6, le=1e6)]]
+_Breakpoints = Annotated[tuple[_Point, ...], Field(min_length=1, max_length=10000)]
+_Gain = Annotated[float, Field(ge=0.0, le=100.0)]
+_Variance = Annotated[float, Field(gt=0.0, le=1e6)]
+_Bound = Annotated[float, Field(ge=-1e6, le=1e6)]
+
+LONGEST_RECORDING = 4_000_000  # samples: 11 h at 100 Hz, about 3 GB
+
+
+class _Section(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class AircraftChoice(_Section):
+    """[aircraft]: flown by the models `identified` and `jsbsim`."""
+
+    name: _Text = "f16"
+    flight_control: Literal["corrected", "stock"] = "corrected"
+    fuel_fraction: float = Field(0.43, ge=0.0, le=1.0)  # of internal fuel
+
+
+class Initial(_Section):
+    """[initial]: trimmed flight at the start, and the origin of the tangent plane."""
+
+    airspeed: float = Field(300.0, ge=50.0, le=600.0)  # m/s
+    altitude: float = Field(3048.0, ge=100.0, le=18000.0)  # m
+    flight_path_deg: float = Field(0.0, ge=-30.0, le=30.0)
+    heading_deg: float = Field(0.0, ge=-360.0, le=360.0)
+    latitude_deg: float = Field(47.0, ge=-89.0, le=89.0)
+    longitude_deg: float = Field(8.0, ge=-180.0, le=180.0)
+
+
+class Reference(_Section):
+    """[reference]: breakpoints [time s, value], linear between and held outside; command filter."""
+
+    filter_frequency: float = Field(3.0, ge=0.05, le=50.0)  # rad/s
+    filter_damping: float = Field(1.0, ge=0.1, le=5.0)
+    airspeed: _Breakpoints  # m/s
+    flight_path_deg: _Breakpoints
+    heading_deg: _Breakpoints
+
+    @model_validator(mode="after")
+    def _in_range(self) -> Self:
+        bounds = {
+            "airspeed": (50.0, 600.0),
+            "flight_path_deg": (-60.0, 60.0),
+            "heading_deg": (-36000.0, 36000.0),
+        }
+        for name, (low, high) in bounds.items():
+            points: tuple[_Point, ...] = getattr(self, name)
+            times = [time for time, _ in points]
+            if times != sorted(set(times)):
+                raise ValueError(f"reference.{name}: times must increase from point to point")
+            for time, value in points:
+                if not low <= value <= high:
+                    raise ValueError(
+                        f"reference.{name}: {value} at {time} s is outside [{low:g}, {high:g}]"
+                    )
+        return self
+
+
+class Estimator(_Section):
+    """[loop.estimator]: covariances, gate and bounds of the filter."""
+
+    channels: Annotated[tuple[Channel, ...], Field(min_length=1, max_length=3)] = ("thrust",)
+    process_noise: tuple[_Variance, ...] = (1e-10, 1e-10, 1e-3, 1e-10)  # Q a step: V, gamma, chi, k
+    measurement_noise: tuple[_Variance, _Variance, _Variance] = (1e-10, 1e-10, 1e-3)  # R
+    initial_covariance: tuple[_Variance, ...] = (1e-6, 1e-8, 1e-6, 1e-4)  # P0
+    spread: float = Field(3.0, ge=0.5, le=10.0)  # n_a + kappa of (26)
+    gate: bool = False  # chi-squared gate on the innovations
+    gate_probability: float = Field(0.9999, ge=0.9, le=0.9999999)
+    gate_patience: int = Field(5, ge=1, le=1000)  # samples in a row that may be refused
+    bounded: bool = False  # estimates kept in [sigma, 1]
+
+    @model_validator(mode="after")
+    def _sizes(self) -> Self:
+        size = 3 + len(self.channels)
+        if len(set(self.channels)) != len(self.channels):
+            raise ValueError("channels: a channel is named twice")
+        for name in ("process_noise", "initial_covariance"):
+            if len(getattr(self, name)) != size:
+                raise ValueError(
+                    f"{name}: expected {size} numbers: airspeed, flight path angle, heading and "
+                    f"one for each of {len(self.channels)} estimated channels"
+                )
+        return self
+
+
+class Detector(_Section):
+    """[loop.detector]: when a loss of effectiveness is declared."""
+
+    margin: float = Field(0.1, ge=0.001, le=0.9)  # loss that is put down to the models
+    sigmas: float = Field(4.0, ge=0.0, le=20.0)
+    hold: float = Field(0.2, ge=0.0, le=10.0)  # s
+
+
+class Loop(_Section):
+    """[loop]: the outer loop, its rate, gains and estimator."""
+
+    name: _Text = "ftc"
+    rate: float = Field(100.0, ge=10.0, le=1000.0)  # Hz
+    gains: tuple[_Gain, _Gain, _Gain] = (1.0, 1.0, 1.0)  # K_c, 1/s
+    integral_gains: tuple[_Gain, _Gain, _Gain] = (0.25, 0.25, 0.25)  # 1/s2, loop `integral` only
+    trim_filter: float = Field(50.0, ge=0.5, le=1000.0)  # zeta of (10), 1/s
+    effectiveness_floor: float = Field(0.05, ge=0.001, le=0.5)  # sigma
+    response_lead: bool = True  # lead against the identified lag of load factor and bank
+    estimator: Estimator = Estimator()
+    detector: Detector = Detector()
+
+
+class Fault(_Section):
+    """[[fault]]: a loss of effectiveness of one channel."""
+
+    target: Channel = "thrust"
+    kind: Literal["loss-of-effectiveness"] = "loss-of-effectiveness"
+    effectiveness: float = Field(ge=0.0, le=1.0)
+    start: _Time  # s
+    end: _Time | None = None  # s, recovery
+    shape: Literal["step", "ramp", "intermittent"] = "step"
+    rise: float | None = Field(None, gt=0.0, le=86400.0)  # s, of a ramp
+    period: float | None = Field(None, gt=0.0, le=86400.0)  # s, of an intermittent fault
+    duty: float | None = Field(None, gt=0.0, lt=1.0)  # part of each period that is faulty
+
+    @model_validator(mode="after")
+    def _shape_is_complete(self) -> Self:
+        needed = {"step": (), "ramp": ("rise",), "intermittent": ("period", "duty")}[self.shape]
+        for key in ("rise", "period", "duty"):
+            given = getattr(self, key) is not None
+            if given != (key in needed):
+                state = "needs" if key in needed else "does not take"
+                raise ValueError(f"a fault of shape {self.shape!r} {state} the key {key!r}")
+        if self.end is not None and self.end <= self.start:
+            raise ValueError(f"end must be later than start = {self.start} s")
+        return self
+
+
+class Sensors(_Section):
+    """[sensors]: the outer loop sees the true state."""
+
+    profile: Literal["perfect"] = "perfect"
+
+
+class Wind(_Section):
+    """[wind]: still air."""
+
+    speed: float = Field(0.0, ge=0.0, le=0.0)  # m/s
+    from_deg: float = Field(270.0, ge=0.0, le=360.0)
+    turbulence: Literal["none"] = "none"
+
+
+class Simulation(_Section):
+    """[simulation]: how finely the plants are integrated inside a sample of the outer loop."""
+
+    jsbsim_steps: int = Field(2, ge=1, le=100)  # JSBSim frames a sample: 200 Hz at 100 Hz
+    point_mass_steps: int = Field(4, ge=1, le=1000)  # Runge-Kutta steps a sample
+
+
+_Range = tuple[_Bound, _Bound]
+
+
+class Limits(_Section):
+    """[limits]: [low, high]; a flight that leaves one fails."""
+
+    airspeed: _Range | None = None  # m/s
+    altitude: _Range | None = None  # m
+    load_factor: _Range | None = None
+    bank_deg: _Range | None = None
+    flight_path_deg: _Range | None = None
+    alpha_deg: _Range | None = None
+    sideslip_deg: _Range | None = None
+    mach: _Range | None = None
+    error_airspeed: _Range | None = None  # m/s
+    error_flight_path_deg: _Range | None = None
+    error_heading_deg: _Range | None = None
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Self:
+        for name in type(self).model_fields:
+            bounds = getattr(self, name)
+            if bounds is not None and bounds[0] >= bounds[1]:
+                raise ValueError(f"limits.{name}: low must be less than high (got {list(bounds)})")
+        return self
+
+
+class Compare(_Section):
+    """[compare]: what `compare` flies."""
+
+    models: Annotated[tuple[Model, ...], Field(min_length=1)] = ("paper", "identified", "jsbsim")
+    loops: Annotated[tuple[_Text, ...], Field(min_length=1)] = ("ftc", "no-ftc")
+
+    @model_validator(mode="after")
+    def _distinct(self) -> Self:
+        for name in ("models", "loops"):
+            if len(set(getattr(self, name))) != len(getattr(self, name)):
+                raise ValueError(f"compare.{name}: an entry is given twice")
+        return self
+
+
+class Scenario(_Section):
+    """A whole scenario file."""
+
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]
+    title: str = Field("", max_length=300)
+    description: str = Field("", max_length=4000)
+    duration: float = Field(60.0, gt=0.0, le=86400.0)  # s
+    model: Model = "paper"
+    seed: int = Field(0, ge=0, le=2**31 - 1)
+    aircraft: AircraftChoice = AircraftChoice()
+    initial: Initial = Initial()
+    reference: Reference
+    loop: Loop = Loop()
+    fault: tuple[Fault, ...] = ()
+    sensors: Sensors = Sensors()
+    wind: Wind = Wind()
+    simulation: Simulation = Simulation()
+    limits: Limits = Limits()
+    compare: Compare = Compare()
+
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        samples = self.duration * self.loop.rate
+        if not 2 <= samples <= LONGEST_RECORDING:
+            raise ValueError(
+                f"duration x loop.rate: {samples:g} samples; expected 2 to {LONGEST_RECORDING}"
+            )
+        if self.model == "jsbsim" or "jsbsim" in self.compare.models:
+            for index, fault in enumerate(self.fault):
+                if fault.target != "thrust":
+                    models = [m for m in self.compare.models if m != "jsbsim"]
+                    raise ValueError(
+                        f"fault[{index}].target: {fault.target!r} is a channel of the point mass; "
+                        f"the jsbsim model has 'thrust'. Leave 'jsbsim' out of model and "
+                        f"compare.models (compare.models = {models})"
+                    )
+        return self
+
+    @property
+    def samples(self) -> int:
+        """Number of control periods of the flight."""
+        return round(self.duration * self.loop.rate)

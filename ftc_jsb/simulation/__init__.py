@@ -1,0 +1,1 @@
+"""Flying, recording, limits."""

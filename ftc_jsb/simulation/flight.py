@@ -1,0 +1,29 @@
+"""A flight: its scenario, its recording and how it ended."""
+
+from typing import Any, Literal, NamedTuple
+
+import numpy.typing as npt
+
+from ftc_jsb.scenario.schema import Scenario
+
+
+class Outcome(NamedTuple):
+    """How a flight ended, when [s], and why if it was not complete."""
+
+    status: Literal["complete", "departed", "interrupted"]
+    time: float
+    reason: str
+
+
+class Flight(NamedTuple):
+    """A flown scenario."""
+
+    scenario: Scenario
+    record: npt.NDArray[Any]  # (rows,) of `variables.ROW`
+    outcome: Outcome
+    real_time_factor: float | None  # None for a recording that was read back
+
+    @property
+    def label(self) -> str:
+        """`<model>-<loop>`, the flight's name in reports and files."""
+        return f"{self.scenario.model}-{self.scenario.loop.name.replace(':', '.')}"

@@ -1,0 +1,123 @@
+"""`fly`: one scenario, one model, one loop, from trim to the end."""
+
+import math
+import time
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.compiled import direct
+from ftc_jsb.control.command_filter import command_filter, reference_step
+from ftc_jsb.control.loops import build_loop
+from ftc_jsb.control.protocol import LoopSetup
+from ftc_jsb.disturbance.faults import effectiveness
+from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
+from ftc_jsb.scenario.reference import raw_commands
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.flight import Flight, Outcome
+from ftc_jsb.simulation.monitor import FLYING, REASONS, departed
+from ftc_jsb.simulation.plant import Plant
+from ftc_jsb.simulation.variables import ROW
+from ftc_jsb.six_dof.aircraft import aircraft_folder
+
+Observer = Callable[[npt.NDArray[Any], int], None]  # recording, row just completed
+PAPER_AIRCRAFT = "paper"
+
+
+def fly(
+    scenario: Scenario, observers: Sequence[Observer] = (), plant: Plant | None = None
+) -> Flight:
+    """Fly `scenario` with its model and loop.
+
+    Args:
+        scenario: as loaded; `scenario.model` and `scenario.loop.name` say what is flown.
+        observers: called after every sample with the recording and the row; they watch only.
+        plant: in place of the model's own (a user's aircraft, an independent integration).
+
+    Returns:
+        The flight, complete or up to where it departed or was interrupted.
+
+    Raises:
+        UserError: an aircraft, loop or trim that cannot be had.
+    """
+    aircraft = point_mass_of(scenario)
+    fuel = scenario.aircraft.fuel_fraction
+    model = aircraft.record(fuel)
+    dt = 1.0 / scenario.loop.rate
+    record = blank_recording(scenario)
+    if plant is None:
+        plant = build_plant(scenario, model, dt)
+    setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt)
+    first = [record[0][f"{name}_cmd_raw"] for name in ("airspeed", "flight_path_angle", "heading")]
+    reference = scenario.reference
+    filters = command_filter(reference.filter_frequency, reference.filter_damping, dt, first)
+    refer = direct(reference_step, filters, record, 0)
+    check = direct(departed, record, 0)
+    loop = build_loop(setup, model, record)
+    plant.reset(record)
+    outcome = Outcome("complete", scenario.duration, "")
+    rows = 0
+    started = time.perf_counter()
+    try:
+        for i in range(record.size):
+            plant.truth(i)
+            refer(filters, record, i)
+            reason = check(record, i)
+            rows = i + 1
+            if reason != FLYING:
+                outcome = Outcome("departed", i * dt, REASONS[reason])
+                break
+            loop.step(i)
+            plant.step(i)
+            for observe in observers:
+                observe(record, i)
+    except KeyboardInterrupt:
+        rows = max(rows - 1, 1)  # the row at hand may be half written
+        outcome = Outcome("interrupted", rows * dt, "interrupted")
+    finally:
+        plant.close()
+    elapsed = time.perf_counter() - started
+    return Flight(scenario, record[:rows], outcome, rows * dt / elapsed)
+
+
+def point_mass_of(scenario: Scenario) -> PointMass:
+    """The point mass that the outer loop of this scenario counts on.
+
+    Raises:
+        AircraftError: no such aircraft.
+    """
+    name = PAPER_AIRCRAFT if scenario.model == "paper" else scenario.aircraft.name
+    return load_point_mass(aircraft_folder(name))
+
+
+def build_plant(scenario: Scenario, model: npt.NDArray[Any], dt: float) -> Plant:
+    """The plant of `scenario.model`."""
+    simulation = scenario.simulation
+    if scenario.model == "jsbsim":
+        from ftc_jsb.six_dof.plant import JsbsimPlant
+
+        return JsbsimPlant(scenario.aircraft, scenario.initial, dt, simulation.jsbsim_steps)
+    from ftc_jsb.point_mass.plant import PointMassPlant
+
+    return PointMassPlant(model, scenario.initial, dt, simulation.point_mass_steps)
+
+
+def blank_recording(scenario: Scenario) -> npt.NDArray[Any]:
+    """Recording with time, raw commands and effectiveness filled in, the rest nan.
+
+    (rows,) of ROW: one row a sample and one for the end. What is scheduled stands in the recording
+    before the flight; whoever changes the schedule in flight rewrites the rows to come.
+    """
+    record = np.full(scenario.samples + 1, math.nan).astype(ROW)
+    record["time"] = np.arange(record.size) / scenario.loop.rate
+    commands = raw_commands(scenario.reference, record["time"])
+    record["airspeed_cmd_raw"] = commands[:, 0]
+    record["flight_path_angle_cmd_raw"] = commands[:, 1]
+    record["heading_cmd_raw"] = commands[:, 2]
+    truth = effectiveness(scenario.fault, record["time"])
+    record["effectiveness_thrust"] = truth[:, 0]
+    record["effectiveness_load_factor"] = truth[:, 1]
+    record["effectiveness_bank_angle"] = truth[:, 2]
+    return record

@@ -1,0 +1,34 @@
+"""Ends a flight that has departed: what the kernels cannot fly on from, and why."""
+
+import math
+from typing import Any
+
+from ftc_jsb.compiled import compiled
+
+FLYING, NOT_FINITE, STOPPED, VERTICAL, STALLED, GROUND = range(6)
+
+REASONS = {
+    NOT_FINITE: "the state is no longer finite",
+    STOPPED: "airspeed below 30 m/s",
+    VERTICAL: "flight path steeper than 85 deg, where (41) is singular",
+    STALLED: "angle of attack beyond 60 deg",
+    GROUND: "altitude below sea level",
+}
+
+
+@compiled
+def departed(record: Any, i: int) -> int:
+    """FLYING, or the reason why row `i` cannot be flown on from."""
+    row = record[i]
+    total = row.airspeed + row.flight_path_angle + row.heading + row.altitude + row.load_factor
+    if not math.isfinite(total + row.bank_angle + row.thrust):
+        return NOT_FINITE
+    if row.airspeed < 30.0:  # [m/s]
+        return STOPPED
+    if abs(row.flight_path_angle) > math.radians(85.0):
+        return VERTICAL
+    if abs(row.alpha) > math.radians(60.0):
+        return STALLED
+    if row.altitude < 0.0:
+        return GROUND
+    return FLYING

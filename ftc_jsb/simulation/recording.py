@@ -1,0 +1,110 @@
+"""A flight as an xarray dataset, and as a NetCDF file that holds all it takes to fly it again."""
+
+import json
+import platform
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+import ftc_jsb
+from ftc_jsb.errors import RecordingError, ScenarioError
+from ftc_jsb.scenario.load import parse_scenario, scenario_toml
+from ftc_jsb.simulation.flight import Flight, Outcome
+from ftc_jsb.simulation.variables import ROW, VARIABLES
+
+if TYPE_CHECKING:
+    import xarray
+
+PACKAGES = ("numpy", "scipy", "numba", "jsbsim")  # whose versions may change a flight
+
+
+def to_dataset(flight: Flight) -> "xarray.Dataset":
+    """Every variable along `time`, with `units` and `long_name`; the scenario in the attributes."""
+    import xarray
+
+    variables: dict[str, Any] = {}
+    for variable in VARIABLES:
+        attributes = {"units": variable.unit, "long_name": variable.meaning}
+        variables[variable.name] = ("time", flight.record[variable.name].copy(), attributes)
+    scenario = flight.scenario
+    return xarray.Dataset(
+        {name: content for name, content in variables.items() if name != "time"},
+        coords={"time": variables["time"]},
+        attrs={
+            "title": scenario.title or scenario.name,
+            "source": f"ftc-jsb {ftc_jsb.__version__}",
+            "model": scenario.model,
+            "loop": scenario.loop.name,
+            "seed": scenario.seed,
+            "outer_loop_rate_hz": scenario.loop.rate,
+            "jsbsim_rate_hz": scenario.loop.rate * scenario.simulation.jsbsim_steps,
+            "scenario": scenario_toml(scenario),
+            "versions": json.dumps(versions()),
+            "status": flight.outcome.status,
+            "end_time_s": flight.outcome.time,
+            "reason": flight.outcome.reason,
+        },
+    )
+
+
+def versions() -> dict[str, str]:
+    """Versions of this program, Python and the packages that take part in a flight."""
+    found = {"ftc-jsb": ftc_jsb.__version__, "python": platform.python_version()}
+    for package in PACKAGES:
+        try:
+            found[package] = version(package)
+        except PackageNotFoundError:
+            continue
+    return found
+
+
+def save(flight: Flight, path: Path) -> None:
+    """Write a flight as NetCDF 4, by way of a temporary name: a broken write leaves no recording.
+
+    Raises:
+        RecordingError: the file cannot be written.
+    """
+    part = path.with_suffix(".part")
+    dataset = to_dataset(flight)
+    encoding = {name: {"zlib": True, "complevel": 1} for name in dataset.variables}
+    try:
+        dataset.to_netcdf(part, engine="netcdf4", encoding=encoding)
+        part.replace(path)
+    except OSError as error:
+        raise RecordingError(f"{path}: cannot be written: {error}") from None
+
+
+def load(path: Path) -> Flight:
+    """Read a flight back.
+
+    Raises:
+        RecordingError: not a recording of this program, or damaged.
+    """
+    import xarray
+
+    if not path.is_file():
+        raise RecordingError(f"{path}: no such file; expected a recording (flight.nc)")
+    try:
+        with xarray.open_dataset(path, engine="netcdf4", decode_times=False) as dataset:
+            dataset.load()
+    except (OSError, ValueError) as error:
+        raise RecordingError(f"{path}: not a readable NetCDF file: {error}") from None
+    attributes = dataset.attrs
+    missing = [
+        key for key in ("scenario", "status", "end_time_s", "reason") if key not in attributes
+    ]
+    missing += [name for name in ROW.names or () if name not in dataset.variables]
+    if missing:
+        raise RecordingError(f"{path}: not a recording of this program: it has no {missing[0]!r}")
+    try:
+        scenario = parse_scenario(str(attributes["scenario"]), str(path))
+    except ScenarioError as error:
+        raise RecordingError(f"{error} (the scenario inside the recording)") from None
+    record = np.zeros(dataset.sizes["time"], ROW)
+    for name in ROW.names or ():
+        record[name] = dataset[name].to_numpy()
+    status = cast(Any, attributes["status"])
+    outcome = Outcome(status, float(attributes["end_time_s"]), str(attributes["reason"]))
+    return Flight(scenario, record, outcome, None)

@@ -1,0 +1,1 @@
+"""JSBSim: weaving, trim, plant."""

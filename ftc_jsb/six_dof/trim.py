@@ -1,0 +1,153 @@
+"""A woven JSBSim aircraft, loaded, trimmed at the initial condition, and checked to hold the trim."""
+
+import math
+from pathlib import Path
+from typing import Any
+
+from ftc_jsb.errors import AircraftError, TrimError
+from ftc_jsb.scenario.schema import Initial
+from ftc_jsb.six_dof.aircraft import Aircraft
+from ftc_jsb.six_dof.properties import engine_count, node, write_checked
+from ftc_jsb.units import FOOT
+
+HOLD = 3.0  # [s] of hands-off flight that the trim must survive
+SPEED_DRIFT = 1.0  # [m/s] that it may drift by then
+PATH_DRIFT = 0.5  # [deg]
+
+
+def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
+    """A fresh `jsbsim.FGFDMExec` with the woven aircraft loaded.
+
+    Args:
+        aircraft: as loaded.
+        root: of the woven aircraft.
+        dt: JSBSim's time step [s].
+
+    Raises:
+        AircraftError: JSBSim refuses the aircraft; carries what JSBSim said.
+    """
+    import jsbsim
+
+    class Listener(jsbsim.FGLogger):
+        """Keeps what JSBSim says, in place of its console output."""
+
+        def __init__(self) -> None:
+            super().__init__()
+            self.text = ""
+
+        def set_level(self, level: Any) -> None:
+            pass
+
+        def file_location(self, filename: str, line: int) -> None:
+            self.text += f"{filename}:{line}: "
+
+        def message(self, message: str) -> None:
+            self.text += message
+
+        def format(self, format_: Any) -> None:
+            pass
+
+        def flush(self) -> None:
+            pass
+
+    listener = Listener()
+    jsbsim.set_logger(listener)
+    fdm = jsbsim.FGFDMExec(None)
+    fdm.set_debug_level(0)
+    try:
+        loaded = fdm.load_model_with_paths(
+            aircraft.jsbsim_model,
+            str(root / "aircraft"),
+            str(root / "engine"),
+            str(root / "systems"),
+            True,
+        )
+    except Exception as error:
+        raise AircraftError(
+            f"aircraft {aircraft.name!r}: JSBSim: {error} {listener.text}"
+        ) from None
+    if not loaded:
+        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim cannot load it: {listener.text}")
+    fdm.set_dt(dt)
+    return fdm
+
+
+def trimmed(
+    aircraft: Aircraft, root: Path, dt: float, initial: Initial, fuel_fraction: float
+) -> Any:
+    """A fresh `jsbsim.FGFDMExec`, trimmed, engines running; inner loop not engaged.
+
+    Raises:
+        TrimError: no trim, or one that hands-off flight leaves; with the residuals.
+        AircraftError: the aircraft cannot be loaded or set up.
+    """
+    _check_hold(aircraft, _trim(aircraft, root, dt, initial, fuel_fraction), initial)
+    return _trim(aircraft, root, dt, initial, fuel_fraction)  # the same, at time zero
+
+
+def _trim(aircraft: Aircraft, root: Path, dt: float, initial: Initial, fuel_fraction: float) -> Any:
+    fdm = load(aircraft, root, dt)
+    conditions = {
+        "ic/h-sl-ft": initial.altitude / FOOT,
+        "ic/vt-fps": initial.airspeed / FOOT,
+        "ic/gamma-deg": initial.flight_path_deg,
+        "ic/psi-true-deg": initial.heading_deg % 360.0,
+        "ic/lat-geod-deg": initial.latitude_deg,
+        "ic/long-gc-deg": initial.longitude_deg,
+    }
+    for name, value in conditions.items():
+        node(fdm, name)
+        fdm[name] = value
+    for name, value in aircraft.setup.items():
+        write_checked(fdm, name, value)
+    _fuel(aircraft, fdm, fuel_fraction)
+    if not fdm.run_ic():
+        raise TrimError(f"aircraft {aircraft.name!r}: JSBSim refuses the initial condition")
+    fdm["propulsion/set-running"] = -1
+    try:
+        fdm["simulation/do_simple_trim"] = 1
+    except Exception as error:
+        raise TrimError(_failure(aircraft, fdm, initial, str(error))) from None
+    return fdm
+
+
+def _fuel(aircraft: Aircraft, fdm: Any, fuel_fraction: float) -> None:
+    for tank in aircraft.fuel_tanks:
+        fraction = node(fdm, f"propulsion/tank[{tank}]/pct-full").get_double_value()
+        contents = node(fdm, f"propulsion/tank[{tank}]/contents-lbs").get_double_value()
+        if fraction <= 0.0:
+            raise AircraftError(f"aircraft {aircraft.name!r}: fuel tank {tank} is empty as shipped")
+        capacity = 100.0 * contents / fraction
+        fdm[f"propulsion/tank[{tank}]/contents-lbs"] = fuel_fraction * capacity
+
+
+def _check_hold(aircraft: Aircraft, fdm: Any, initial: Initial) -> None:
+    for number in range(engine_count(fdm)):
+        if fdm[f"propulsion/engine[{number}]/set-running"] != 1.0:
+            raise TrimError(
+                f"aircraft {aircraft.name!r}: engine {number} does not run after the trim"
+            )
+    path = math.degrees(fdm["flight-path/gamma-rad"])
+    while fdm.get_sim_time() < HOLD:
+        fdm.run()
+    speed_drift = fdm["velocities/vt-fps"] * FOOT - initial.airspeed
+    path_drift = math.degrees(fdm["flight-path/gamma-rad"]) - path
+    if not (abs(speed_drift) < SPEED_DRIFT and abs(path_drift) < PATH_DRIFT):
+        drift = (
+            f"the trim does not hold: hands off for {HOLD:g} s, airspeed drifts by "
+            f"{speed_drift:.2f} m/s and flight path by {path_drift:.2f} deg"
+        )
+        raise TrimError(_failure(aircraft, fdm, initial, drift))
+
+
+def _failure(aircraft: Aircraft, fdm: Any, initial: Initial, what: str) -> str:
+    residuals = ", ".join(
+        f"{name} {fdm[f'accelerations/{name}']:.3g}"
+        for name in ("udot-ft_sec2", "vdot-ft_sec2", "wdot-ft_sec2", "pdot-rad_sec2", "qdot-rad_sec2",
+                     "rdot-rad_sec2")
+    )  # fmt: skip
+    return (
+        f"aircraft {aircraft.name!r}: no trim at {initial.airspeed:g} m/s, {initial.altitude:g} m, "
+        f"flight path {initial.flight_path_deg:g} deg: {what.strip()}. Residuals: {residuals}; "
+        f"throttle {fdm['fcs/throttle-cmd-norm']:.2f}, alpha {fdm['aero/alpha-deg']:.2f} deg"
+    )
