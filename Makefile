@@ -10,10 +10,10 @@ demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, 
 	$(BIN)/ftc-jsb compare paper
 
 test: lint  ## Every check
-	$(BIN)/pytest -n 2 -m "not validate"
+	$(BIN)/pytest -n 2
 
 validate: $(READY)  ## Long flights and many flights; writes docs/validation.md
-	$(BIN)/pytest -n 2 -m validate
+	$(BIN)/python -m tests.validation
 
 lint: $(READY)
 	$(BIN)/ruff check .

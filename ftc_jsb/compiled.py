@@ -2,7 +2,8 @@
 
 Numba's own cache only notices a change in the file that defines a kernel, not in the kernels it
 calls, and it wants to write beside the source. Both are wrong for an installed program, so the
-cache lives in the user's cache folder, in a sub-folder named after the package's whole source.
+cache lives in the user's cache folder, in a sub-folder named after the source of all that kernels
+are made from.
 """
 
 import hashlib
@@ -18,13 +19,17 @@ import platformdirs
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
+_WITHOUT_KERNELS = {"cli.py", "metrics.py", "report", "scenario"}
+
+
 @cache
 def kernel_cache() -> Path:
-    """Folder of compiled kernels of exactly this source; a temporary one if it cannot be written."""
+    """Folder of compiled kernels of this source; a temporary one if it cannot be written."""
     package = Path(__file__).parent
     digest = hashlib.sha256(numba.__version__.encode())
     for source in sorted(package.rglob("*.py")):
-        digest.update(source.read_bytes())
+        if source.relative_to(package).parts[0] not in _WITHOUT_KERNELS:
+            digest.update(source.read_bytes())
     name = digest.hexdigest()[:16]
     folder = Path(platformdirs.user_cache_dir("ftc-jsb")) / "kernels" / name
     try:

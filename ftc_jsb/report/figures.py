@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from ftc_jsb.disturbance.faults import fault_steps
 from ftc_jsb.report.words import loop_title, model_title
 from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.simulation.limits import tracking_errors
 
 Flights = dict[str, Flight]
 Array = npt.NDArray[np.float64]
@@ -59,6 +60,16 @@ def states(flights: Flights) -> Figure:
     return _grid(flights, rows, reference=True)
 
 
+def tracking(flights: Flights) -> Figure:
+    """Tracking errors: airspeed, flight path angle and heading minus their references."""
+    rows = (
+        ("error_airspeed", "Airspeed [m/s]", _same),
+        ("error_flight_path_deg", "Flight path [deg]", _same),
+        ("error_heading_deg", "Heading [deg]", _same),
+    )
+    return _grid(flights, rows, reference=False)
+
+
 def controls(flights: Flights) -> Figure:
     """Figure 2: commanded thrust, and load factor and bank angle as flown."""
     rows = (
@@ -73,7 +84,7 @@ def trajectories(flights: Flights) -> Figure:
     """Figure 3: the flown paths in space."""
     columns = by_model(flights)
     with mpl.rc_context(RC):
-        figure = plt.figure(figsize=(3.1 * len(columns), 3.3))
+        figure = plt.figure(figsize=(3.1 * len(columns), 3.6))
         for number, (title, members) in enumerate(columns.items()):
             axes: Any = figure.add_subplot(1, len(columns), number + 1, projection="3d")
             for style, flight in zip(_styles(members), members, strict=True):
@@ -93,7 +104,7 @@ def trajectories(flights: Flights) -> Figure:
             axes.set_ylabel("North [km]", labelpad=-2)
             axes.set_zlabel("Altitude [km]", labelpad=-4)
             axes.tick_params(pad=-2, labelsize=6.5)
-            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=0.86)
+            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=0.95)
             axes.view_init(elev=24, azim=-60)
             axes.xaxis.set_major_locator(mpl.ticker.MaxNLocator(4))
             axes.zaxis.set_major_locator(mpl.ticker.MaxNLocator(5))
@@ -194,6 +205,7 @@ def draw_all(flights: Flights, folder: Path) -> dict[str, str]:
     drawn = {
         "figure1_states": states(flights),
         "figure2_controls": controls(flights),
+        "tracking_errors": tracking(flights),
         "figure3_trajectories": trajectories(flights),
         "figure4_effectiveness": estimates(flights),
         "differences": differences(flights),
@@ -237,7 +249,7 @@ def _grid(
                 axes = grid[row, column]
                 for style, flight in zip(_styles(members), members, strict=True):
                     record = _thinned(flight.record)
-                    axes.plot(record["time"], convert(record[name]), **style)
+                    axes.plot(record["time"], convert(_column(record, name)), **style)
                 if reference:
                     record = _thinned(members[0].record)
                     axes.plot(record["time"], convert(record[f"{name}_ref"]), **REFERENCE)
@@ -276,6 +288,10 @@ def _mark_faults(axes: Axes, members: list[Flight]) -> None:
 
 def _thinned(record: npt.NDArray[Any]) -> npt.NDArray[Any]:
     return record[:: max(record.size // POINTS, 1)]
+
+
+def _column(record: npt.NDArray[Any], name: str) -> Array:
+    return tracking_errors(record)[name] if name.startswith("error_") else record[name]
 
 
 def _same(values: Array) -> Array:

@@ -22,6 +22,7 @@ CAPTIONS = {
     "command filter.",
     "figure2_controls": "Figure 2. Commanded thrust (what a healthy engine would deliver), load factor and "
     "bank angle.",
+    "tracking_errors": "Tracking errors: true value minus reference.",
     "figure3_trajectories": "Figure 3. Trajectories; the dot is where the fault sets in.",
     "figure4_effectiveness": "Figure 4. Estimate of the thrust effectiveness with its ±2σ band, and its error. "
     "In the flights without FTC the same filter runs, but the law does not listen to it.",
@@ -128,7 +129,7 @@ def summary(flights: dict[str, Flight], metrics: dict[str, Metrics]) -> list[str
             continue
         theirs = metrics[without]["rmse_airspeed_mps"]
         error = metrics[label]["effectiveness_thrust_error_max"]
-        told = "" if error is None else f"; the effectiveness is told to within {error:.4f}"
+        told = "" if error is None else f"; the effectiveness is told to within {error:.2g}"
         sentences.append(
             f"{words.model_title(flight.scenario)}: airspeed RMSE {mine:.3f} m/s with FTC, "
             f"{theirs:.2f} m/s without, {theirs / mine:.0f} times as much{told}."

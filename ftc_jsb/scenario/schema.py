@@ -113,7 +113,7 @@ class Loop(_Section):
     """[loop]: the outer loop, its rate, gains and estimator."""
 
     name: _Text = "ftc"
-    rate: float = Field(100.0, ge=10.0, le=1000.0)  # Hz
+    rate: float = Field(100.0, ge=1.0, le=1000.0)  # Hz
     gains: tuple[_Gain, _Gain, _Gain] = (1.0, 1.0, 1.0)  # K_c, 1/s
     integral_gains: tuple[_Gain, _Gain, _Gain] = (0.25, 0.25, 0.25)  # 1/s2, loop `integral` only
     trim_filter: float = Field(50.0, ge=0.5, le=1000.0)  # zeta of (10), 1/s

@@ -1,0 +1,36 @@
+"""Flights that many tests look at are flown once a process."""
+
+import functools
+from collections.abc import Callable
+
+import pytest
+from hypothesis import settings
+
+from ftc_jsb.scenario.load import load_scenario
+from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.simulation.fly import fly
+
+# Kernels compile at their first call, so no deadline; the same examples every time.
+settings.register_profile("ftc-jsb", deadline=None, derandomize=True)
+settings.load_profile("ftc-jsb")
+
+Flown = Callable[..., Flight]
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--rewrite-golden",
+        action="store_true",
+        help="rewrite the golden flights of tests/regression",
+    )
+
+
+@functools.cache
+def _fly(scenario: str, overrides: tuple[str, ...]) -> Flight:
+    return fly(load_scenario(scenario, overrides))
+
+
+@pytest.fixture(scope="session")
+def flown() -> Flown:
+    """Fly a shipped scenario: `flown("paper", "model='jsbsim'", ...)`; the same one only once."""
+    return lambda scenario, *overrides: _fly(scenario, overrides)

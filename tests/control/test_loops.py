@@ -1,0 +1,75 @@
+"""The registry, the five built-in loops against each other, and loops of a user's own."""
+
+import numpy as np
+import pytest
+
+from ftc_jsb.errors import LoopError
+from ftc_jsb.metrics import flight_metrics
+from ftc_jsb.scenario.load import load_scenario
+from ftc_jsb.simulation.fly import fly
+
+HERE = "tests.control.my_loop"
+
+
+def rmse_airspeed(flight):
+    return flight_metrics(flight)["rmse_airspeed_mps"]
+
+
+def test_knowing_more_tracks_better(flown):
+    """Truth better than estimate, estimate better than integral action, that better than nothing."""
+    rmse = [
+        rmse_airspeed(flown("paper", f"loop.name={loop}"))
+        for loop in ("oracle", "ftc", "integral", "no-ftc")
+    ]
+    assert rmse == sorted(rmse)
+
+
+def test_ekf_and_ukf_agree_where_the_model_is_nearly_linear_over_a_sample(flown):
+    """At 100 Hz both estimates differ by less than 1e-6, far below either one's error."""
+    ukf, ekf = flown("paper").record, flown("paper", "loop.name=ekf").record
+    np.testing.assert_allclose(
+        ekf["effectiveness_thrust_est"], ukf["effectiveness_thrust_est"], atol=1e-6
+    )
+
+
+def test_integral_loop_estimates_nothing_and_removes_the_offset(flown):
+    """No effectiveness in the recording, and the airspeed error at 60 s is below 0.1 m/s."""
+    record = flown("paper", "loop.name=integral").record
+    assert np.isnan(record["effectiveness_thrust_est"]).all()
+    assert abs(record["airspeed"][-1] - 300.0) < 0.1
+
+
+def test_sign_of_the_error_feedback_is_the_stabilising_one(flown):
+    """From an offset of 5 m/s the error decays as exp(-K t), (18), and does not grow as (17) reads."""
+    offset = ("fault=[]", "duration=4", "reference.airspeed=[[0, 305], [0.01, 305]]")
+    record = flown("nominal", *offset, "reference.heading_deg=[[0, 0]]").record
+    error = record["airspeed"] - 305.0
+    np.testing.assert_allclose(error[::50], -5.0 * np.exp(-record["time"][::50]), atol=0.05)
+
+
+@pytest.mark.parametrize("model", ["paper", "jsbsim"])
+def test_own_loop_flies(model):
+    """The template of docs/loops.md keeps the healthy manoeuvre within 10 m/s and 3 deg."""
+    flight = fly(load_scenario("nominal", [f"loop.name='{HERE}:MyLoop'", f"model={model}"]))
+    metrics = flight_metrics(flight)
+    assert metrics["status"] == "complete"
+    assert metrics["peak_error_airspeed_mps"] < 10.0
+    assert metrics["peak_error_heading_deg"] < 3.0
+    assert metrics["effectiveness_thrust_error_rms"] is None
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("ftv", "expected one of ftc, no-ftc, oracle, integral, ekf"),
+        ("no.such.module:Loop", "cannot import 'no.such.module'"),
+        (f"{HERE}:NoLoop", "has no 'NoLoop'"),
+        (f"{HERE}:BrokenLoop", "step at 0.51 s: ZeroDivisionError: division by zero"),
+        (f"{HERE}:WrongLoop", "expected a Command"),
+        ("math:sqrt", "cannot be built"),
+    ],
+)
+def test_loop_that_is_none_is_refused(name, says):
+    with pytest.raises(LoopError) as refusal:
+        fly(load_scenario("nominal", [f"loop.name='{name}'"]))
+    assert says in str(refusal.value)

@@ -1,0 +1,70 @@
+"""Loss of effectiveness over time: each shape, recovery, several at once."""
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ftc_jsb.disturbance.faults import effectiveness, fault_steps
+from ftc_jsb.scenario.schema import Fault
+
+TIME = np.arange(6001) / 100.0
+
+
+def thrust(*faults: Fault) -> np.ndarray:
+    return effectiveness(faults, TIME)[:, 0]
+
+
+def test_step_acts_from_its_sample_on_and_recovers_at_its_end():
+    k = thrust(Fault(effectiveness=0.6, start=20.0, end=40.0))
+    assert set(np.unique(k)) == {0.6, 1.0}
+    assert k[1999] == 1.0
+    assert k[2000] == 0.6
+    assert k[3999] == 0.6
+    assert k[4000] == 1.0
+    assert list(fault_steps(k)) == [2000, 4000]
+
+
+def test_step_between_samples_acts_from_the_next_sample():
+    k = thrust(Fault(effectiveness=0.6, start=20.004))
+    assert k[2000] == 1.0
+    assert k[2001] == 0.6
+
+
+def test_ramp_is_linear_and_has_no_step():
+    k = thrust(Fault(effectiveness=0.5, start=15.0, shape="ramp", rise=10.0))
+    np.testing.assert_allclose(k[1500:2501], np.linspace(1.0, 0.5, 1001), atol=1e-9)
+    assert np.all(k[2500:] == 0.5)
+    assert fault_steps(k).size == 0
+
+
+def test_intermittent_is_faulty_for_its_duty():
+    k = thrust(Fault(effectiveness=0.6, start=10.0, shape="intermittent", period=10.0, duty=0.5))
+    seconds = np.floor(TIME)
+    expected = np.where((TIME >= 10.0) & (seconds % 10 < 5), 0.6, 1.0)
+    np.testing.assert_array_equal(k, expected)
+
+
+def test_faults_of_one_channel_multiply_and_others_stay_healthy():
+    factors = effectiveness(
+        [
+            Fault(effectiveness=0.8, start=10.0),
+            Fault(effectiveness=0.5, start=20.0),
+            Fault(target="bank_angle", effectiveness=0.7, start=0.0),
+        ],
+        TIME,
+    )
+    assert factors[2500, 0] == 0.4
+    assert np.all(factors[:, 1] == 1.0)
+    assert np.all(factors[:, 2] == 0.7)
+
+
+@given(
+    effectiveness_=st.floats(0.0, 1.0),
+    start=st.floats(0.0, 70.0),
+    shape=st.sampled_from(["step", "ramp", "intermittent"]),
+)
+def test_effectiveness_stays_between_its_value_and_one(effectiveness_, start, shape):
+    extra = {"step": {}, "ramp": {"rise": 3.0}, "intermittent": {"period": 2.0, "duty": 0.3}}[shape]
+    k = thrust(Fault(effectiveness=effectiveness_, start=start, shape=shape, **extra))
+    assert np.all(k[start - TIME > 1e-6] == 1.0)
+    assert np.all((k >= effectiveness_ - 1e-12) & (k <= 1.0))

@@ -1,0 +1,88 @@
+"""The fits recover what is known, and the shipped point mass tells an unseen flight."""
+
+import numpy as np
+import pytest
+
+from ftc_jsb.identify.aerodynamics import (
+    Sample,
+    fit_alpha,
+    fit_polar,
+    mach_knots,
+    relative_residual,
+)
+from ftc_jsb.identify.flight_test import fly_manoeuvre
+from ftc_jsb.identify.manoeuvres import held_out
+from ftc_jsb.identify.regression import hats, rough, solve
+from ftc_jsb.identify.response import fit_lag, second_order
+from ftc_jsb.point_mass.atmosphere import standard_atmosphere
+from ftc_jsb.point_mass.drag import measured_drag_coefficient
+from ftc_jsb.point_mass.parameters import load_point_mass
+from ftc_jsb.simulation.variables import ROW
+from ftc_jsb.six_dof.aircraft import load_aircraft
+
+F16 = load_aircraft("f16")
+
+
+def synthetic(random: np.random.Generator, count: int) -> Sample:
+    lift, mach = random.uniform(-0.2, 0.9, count), random.uniform(0.5, 1.1, count)
+    drag = 0.02 + 0.01 * np.maximum(mach - 0.8, 0.0) + 0.1 * lift**2
+    zero = np.zeros(count)
+    return Sample(lift, drag, mach, 0.02 + 0.25 * lift, zero, zero, zero, zero)
+
+
+def test_polar_and_alpha_of_a_known_aircraft_are_recovered():
+    """A parabola with a drag rise: 1e-3 relative on samples that were not fitted."""
+    random = np.random.default_rng(1)
+    data, check = synthetic(random, 20000), synthetic(random, 2000)
+    polar = fit_polar(data, ())
+    assert np.abs(relative_residual(polar.predict(check), check)).max() < 1e-3
+    alpha = fit_alpha(data, polar.mach)
+    np.testing.assert_allclose(alpha[3], [0.02, 0.25, 0.0, 0.0], atol=1e-3)
+
+
+def test_knots_come_in_pairs_where_flaps_switch():
+    knots = mach_knots(np.linspace(0.8, 1.0, 1000), (0.9,))
+    assert np.min(np.diff(knots)) == pytest.approx(0.004)
+    assert np.all(np.diff(knots) > 0.0)
+
+
+def test_hats_interpolate_and_smoothness_fills_a_gap():
+    """A knot without a single sample lies on the line of its neighbours."""
+    knots = np.arange(6.0)
+    x = np.concatenate([np.linspace(0, 2, 50), np.linspace(4, 5, 50)])
+    value = solve(hats(x, knots), 3.0 * x, np.ones(100), [1e-6 * rough(6, 1)])
+    np.testing.assert_allclose(value, 3.0 * knots, atol=1e-3)
+
+
+def test_lag_with_limits_is_recovered():
+    """5 rad/s, damping 0.8, 1 rad/s and 6 rad/s2 from a flight of steps: 2 % each."""
+    record = np.zeros(4000, ROW)
+    record["bank_angle_cmd"] = np.repeat(np.random.default_rng(2).uniform(-1, 1, 20), 200)
+    record["bank_angle_cmd"][:200] = 0.0
+    record["bank_angle"] = second_order(record["bank_angle_cmd"], 5.0, 0.8, 1.0, 6.0, 0.01)
+    lag = fit_lag([record], "bank_angle", 0.01, limited=True)
+    assert lag[:4] == pytest.approx((5.0, 0.8, 1.0, 6.0), rel=0.02)
+    assert lag.residual < 1e-3
+
+
+def test_shipped_point_mass_tells_the_drag_of_an_unseen_flight():
+    """One held-out flight: drag from measured angles within 1 % RMS, and the file says how well."""
+    shipped = load_point_mass(F16.folder)
+    model = shipped.record(0.43)
+    manoeuvre = next(iter(held_out(F16.flight_test)))
+    record = fly_manoeuvre(F16, manoeuvre, shipped.aerodynamics.area)
+    assert record is not None
+    errors = []
+    for row in record[50::20]:
+        density, _ = standard_atmosphere(row["altitude"])
+        pressure_area = 0.5 * density * row["airspeed"] ** 2 * shipped.aerodynamics.area
+        coefficient = measured_drag_coefficient(
+            model[0], row["mach"], row["alpha"], row["sideslip"], row["elevator"], row["flap"],
+            row["pitch_rate"] / row["airspeed"],
+        )  # fmt: skip
+        errors.append(coefficient * pressure_area / row["drag"] - 1.0)
+    assert np.sqrt(np.mean(np.square(errors))) < 0.01
+    told = shipped.identification
+    assert told["residual_drag_polar_percent"] <= 1.5
+    assert told["residual_drag_angles_percent"] <= 0.3
+    assert {"date", "jsbsim", "mach_range", "altitude_range_m", "flights_held_out"} <= set(told)

@@ -1,0 +1,55 @@
+"""Models and conditions that the point-mass tests share."""
+
+from typing import Any
+
+from ftc_jsb.compiled import compiled
+from ftc_jsb.control.law import airspeed_row, control_law
+from ftc_jsb.point_mass.drag import drag_coefficient, drag_slope
+from ftc_jsb.point_mass.dynamics import derivatives, level_trim_thrust, polar_drag
+from ftc_jsb.point_mass.model import at_condition
+from ftc_jsb.point_mass.parameters import load_point_mass
+from ftc_jsb.six_dof.aircraft import aircraft_folder
+
+PAPER = load_point_mass(aircraft_folder("paper")).record(0.0)
+F16 = load_point_mass(aircraft_folder("f16")).record(0.43)
+
+MODELS = {"paper": PAPER, "f16": F16}
+
+# A `Condition` stays inside compiled code; these take it there.
+
+
+@compiled
+def rates(model: Any, v: float, h: float, path: float, t: float, n: float, bank: float) -> Any:
+    return derivatives(at_condition(model[0], v, h), v, path, t, n, bank)
+
+
+@compiled
+def drag(model: Any, v: float, h: float, thrust: float, n: float) -> float:
+    return polar_drag(at_condition(model[0], v, h), v, thrust, n)[0]
+
+
+@compiled
+def polar(model: Any, v: float, h: float, lift: float) -> Any:
+    at = at_condition(model[0], v, h)
+    return drag_coefficient(at, lift), drag_slope(at, lift)
+
+
+@compiled
+def trim(model: Any, v: float, h: float, path: float) -> float:
+    return level_trim_thrust(at_condition(model[0], v, h), v, path)
+
+
+@compiled
+def force_row(model: Any, v: float, h: float, thrust: float, n: float) -> Any:
+    return airspeed_row(at_condition(model[0], v, h), v, thrust, n)
+
+
+@compiled
+def law(
+    model: Any, v: float, h: float, path: float, trim_input: Any, k: Any, wanted: Any
+) -> tuple[float, float, float]:
+    at = at_condition(model[0], v, h)
+    return control_law(
+        at, v, path, trim_input[0], trim_input[1], trim_input[2], (k[0], k[1], k[2]),
+        wanted[0], wanted[1], wanted[2],
+    )  # fmt: skip

@@ -1,0 +1,162 @@
+"""Scenario files: what is shipped is valid, what is wrong is refused with file, key and expectation."""
+
+import math
+import tomllib
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ftc_jsb.errors import ScenarioError
+from ftc_jsb.resources import shipped
+from ftc_jsb.scenario.load import load_scenario, parse_scenario, scenario_names, scenario_toml
+from ftc_jsb.scenario.schema import Scenario
+
+PAPER = (shipped("scenarios") / "paper.toml").read_text(encoding="utf-8")
+
+
+def test_six_scenarios_are_shipped():
+    assert scenario_names() == ["intermittent", "nominal", "paper", "ramp", "severe", "total-loss"]
+
+
+@pytest.mark.parametrize("name", scenario_names())
+def test_shipped_scenario_is_valid_and_survives_being_written(name):
+    """Written as TOML with its defaults and read back, a scenario is the same scenario."""
+    scenario = load_scenario(name)
+    assert scenario.name == name
+    assert parse_scenario(scenario_toml(scenario), "written") == scenario
+
+
+def test_paper_scenario_is_section_5():
+    """Section 5 of the paper, key by key; what the paper leaves open is asserted in the README's words."""
+    s = load_scenario("paper")
+    assert (s.initial.airspeed, s.initial.altitude) == (300.0, 3048.0)
+    assert (s.reference.filter_frequency, s.reference.filter_damping) == (3.0, 1.0)
+    assert s.loop.gains == (1.0, 1.0, 1.0)
+    assert s.loop.trim_filter == 50.0
+    assert s.loop.estimator.process_noise == (1e-10, 1e-10, 1e-3, 1e-10)
+    assert s.loop.estimator.measurement_noise == (1e-10, 1e-10, 1e-3)
+    assert not s.loop.estimator.gate
+    assert not s.loop.estimator.bounded
+    assert (s.fault[0].effectiveness, s.fault[0].start) == (0.6, 20.0)
+
+
+@pytest.mark.parametrize(
+    ("override", "says"),
+    [
+        ("initial.airspeed=-5", "initial.airspeed: input should be greater than or equal to 50"),
+        ("initial.airspeed=nan", "initial.airspeed"),
+        ("initial.airspeed=inf", "initial.airspeed"),
+        ("initial.airspeed=true", "initial.airspeed: input should be a valid number"),
+        ("initial.airspeed=fast", "initial.airspeed: input should be a valid number"),
+        ("loop.trim_filter=0", "loop.trim_filter: input should be greater than or equal to 0.5"),
+        ("loop.rate=0", "loop.rate: input should be greater than or equal to 1"),
+        ("duration=1e9", "duration: input should be less than or equal to 86400"),
+        ("duration=0", "duration: input should be greater than 0"),
+        ("duration=86400", "duration x loop.rate"),
+        ("loop.gain=1", "unknown key 'loop.gain'"),
+        ("wings=2", "unknown key 'wings'"),
+        ("fault[0].effectiveness=1.5", "fault[0].effectiveness: input should be less"),
+        ("fault[0].kind=explosion", "fault[0].kind: input should be 'loss-of-effectiveness'"),
+        ("fault[0].shape=ramp", "a fault of shape 'ramp' needs the key 'rise'"),
+        ("fault[0].rise=3", "a fault of shape 'step' does not take the key 'rise'"),
+        ("fault[0].end=10", "end must be later than start"),
+        ("fault[0].target=bank_angle", "channel of the point mass"),
+        ("reference.heading_deg=[[0,0],[0,1]]", "times must increase"),
+        ("reference.heading_deg=[]", "reference.heading_deg"),
+        ("reference.airspeed=[[0,9000]]", "reference.airspeed: 9000.0 at 0.0 s is outside"),
+        ("loop.estimator.process_noise=[1,1,1]", "process_noise: expected 4 numbers"),
+        ("loop.estimator.channels=['thrust','thrust']", "a channel is named twice"),
+        ("limits.airspeed=[400,100]", "limits.airspeed: low must be less than high"),
+        ("limits.airspeed=[400]", "limits.airspeed"),
+        ("compare.loops=[]", "compare.loops"),
+        ("compare.models=['paper','paper']", "compare.models: an entry is given twice"),
+        ("model=glider", "model: input should be 'paper', 'identified' or 'jsbsim'"),
+        ("sensors.profile=noisy", "sensors.profile: input should be 'perfect'"),
+        ("name='a/b'", "name: string should match pattern"),
+    ],
+)
+def test_wrong_value_is_refused_with_its_key(override, says):
+    with pytest.raises(ScenarioError, match=r"paper\.toml") as refusal:
+        load_scenario("paper", [override])
+    assert says in str(refusal.value)
+    assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("override", "says"),
+    [
+        ("loop.gains", "expected KEY=VALUE"),
+        ("=3", "expected KEY=VALUE"),
+        ("fault.7.start=3", "fault has 1 entries"),
+        ("duration.long=3", "duration is a value"),
+    ],
+)
+def test_override_that_is_none_is_refused(override, says):
+    with pytest.raises(ScenarioError) as refusal:
+        load_scenario("paper", [override])
+    assert says in str(refusal.value)
+
+
+def test_override_reaches_every_level():
+    overrides = [
+        "duration=12",
+        "loop.gains=[2, 1, 1]",
+        "fault[0].start=3",
+        "fault.0.effectiveness=0.5",
+    ]
+    scenario = load_scenario("paper", [*overrides, "loop.name=oracle"])
+    assert scenario.duration == 12.0
+    assert scenario.loop.gains == (2.0, 1.0, 1.0)
+    assert (scenario.fault[0].start, scenario.fault[0].effectiveness) == (3.0, 0.5)
+    assert scenario.loop.name == "oracle"
+
+
+def test_file_that_is_not_there_not_toml_or_no_text(tmp_path: Path):
+    with pytest.raises(ScenarioError, match="no such file"):
+        load_scenario(str(tmp_path / "none.toml"))
+    with pytest.raises(ScenarioError, match="shipped are intermittent, nominal, paper"):
+        load_scenario("papre")
+    bad = tmp_path / "bad.toml"
+    bad.write_text("duration = = 3")
+    with pytest.raises(ScenarioError, match=r"bad\.toml: not TOML"):
+        load_scenario(str(bad))
+    bad.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(ScenarioError, match="cannot be read"):
+        load_scenario(str(bad))
+    bad.write_text("name = 'x'")
+    with pytest.raises(ScenarioError, match="reference: missing"):
+        load_scenario(str(bad))
+
+
+_leaves = st.one_of(
+    st.integers(),
+    st.floats(),
+    st.booleans(),
+    st.text(max_size=5),
+    st.lists(st.floats(), max_size=3),
+)
+_trees = st.recursive(
+    _leaves, lambda inner: st.dictionaries(st.text(max_size=6), inner, max_size=3)
+)
+
+
+@given(key=st.sampled_from([*Scenario.model_fields, "other"]), value=_trees)
+def test_no_value_of_any_key_escapes_validation(key, value):
+    """Whatever stands at a top-level key, the file is a scenario or is refused in one sentence."""
+    import tomli_w
+
+    values = tomllib.loads(PAPER)
+    values[key] = value
+    try:
+        text = tomli_w.dumps(values)
+    except (TypeError, ValueError):  # not representable in TOML at all
+        return
+    try:
+        scenario = parse_scenario(text, "file.toml")
+    except ScenarioError as refusal:
+        assert str(refusal).startswith("file.toml: ")
+        return
+    assert math.isfinite(scenario.duration)
+    assert parse_scenario(scenario_toml(scenario), "again") == scenario

@@ -1,0 +1,149 @@
+"""The command line as a user meets it: files, exit codes, messages, interruption."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from ftc_jsb.simulation.recording import load
+
+
+def run(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "ftc_jsb", *arguments],
+        cwd=cwd, capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+
+
+def assert_refused(result: subprocess.CompletedProcess[str], *says: str) -> None:
+    """Exit code 2, one sentence on stderr, no traceback."""
+    assert result.returncode == 2, result.stderr
+    assert "Traceback" not in result.stderr
+    for text in says:
+        assert text in result.stderr
+
+
+def test_fly_writes_recording_and_metrics_from_any_folder(tmp_path):
+    result = run("fly", "paper", "--set", "duration=5", "--out", "here", cwd=tmp_path)
+    assert result.returncode == 0, result.stderr
+    assert sorted(p.name for p in (tmp_path / "here").iterdir()) == ["flight.nc", "metrics.json"]
+    stored = json.loads((tmp_path / "here" / "metrics.json").read_text())
+    assert list(stored["flights"]) == ["paper-ftc"]
+    assert "RMSE airspeed" in result.stdout
+
+
+def test_json_output_is_json_alone(tmp_path):
+    result = run("fly", "paper", "--set", "duration=2", "--loop", "ekf", "--json", cwd=tmp_path)
+    assert json.loads(result.stdout)["flights"]["paper-ekf"]["status"] == "complete"
+
+
+def test_broken_limit_is_exit_code_1_and_told(tmp_path):
+    result = run(
+        "fly", "paper", "--loop", "no-ftc", "--set", "limits.error_airspeed=[-1,1]", cwd=tmp_path
+    )
+    assert result.returncode == 1
+    assert "limit broken: error_airspeed first at 20." in result.stderr
+
+
+def test_compare_writes_everything_and_is_0_whatever_the_verdicts(tmp_path):
+    result = run(
+        "compare", "paper", "--out", "c", "--set", "duration=25", "--set", "compare.models=['paper']",
+        "--set", "limits.error_airspeed=[-0.1,0.1]", cwd=tmp_path,
+    )  # fmt: skip
+    assert result.returncode == 0, result.stderr
+    names = {p.name for p in (tmp_path / "c").iterdir()}
+    assert names == {"report.html", "metrics.json", "figures", "paper-ftc.nc", "paper-no-ftc.nc"}
+    assert "limit broken" in (tmp_path / "c" / "report.html").read_text()
+
+
+def test_report_of_recordings_and_of_a_broken_one(tmp_path):
+    run("fly", "paper", "--set", "duration=3", "--out", "a", cwd=tmp_path)
+    (tmp_path / "bad.nc").write_text("no")
+    result = run("report", "a/flight.nc", "bad.nc", "--out", "r", cwd=tmp_path)
+    assert_refused(result, "bad.nc: not a readable NetCDF file")
+    assert (tmp_path / "r" / "report.html").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["fly", "papre"], "no scenario 'papre'"),
+        (["fly", "none.toml"], "none.toml: no such file"),
+        (["fly", "paper", "--set", "initial.airspeed=-5"], "initial.airspeed"),
+        (["fly", "paper", "--set", "wings=2"], "unknown key 'wings'"),
+        (["fly", "paper", "--loop", "ftv"], "no loop 'ftv'"),
+        (["fly", "paper", "--model", "glider"], "'glider' is not one of"),
+        (["fly", "paper", "--model", "jsbsim", "--set", "aircraft.name=f99"], "no aircraft 'f99'"),
+        (["compare", "paper", "--set", "compare.loops=['ftv']"], "no loop 'ftv'"),
+        (["report", "none.nc"], "none.nc: no such file"),
+        (["identify", "f99"], "no aircraft 'f99'"),
+        (["check", "paper", "--set", "loop.rate=0"], "loop.rate"),
+        (["fly"], "Missing argument 'SCENARIO'"),
+        (["soar"], "No such command 'soar'"),
+    ],
+    ids=" ".join,
+)
+def test_bad_usage_is_one_sentence(arguments, says, tmp_path):
+    assert_refused(run(*arguments, cwd=tmp_path), says)
+    assert not list(tmp_path.rglob("*.nc"))
+
+
+def test_output_folder_is_checked_before_flying(tmp_path):
+    full = tmp_path / "full"
+    full.mkdir()
+    (full / "thesis.txt").write_text("mine")
+    assert_refused(run("fly", "paper", "--out", "full", cwd=tmp_path), "is not empty", "--force")
+    assert [p.name for p in full.iterdir()] == ["thesis.txt"]
+    result = run("fly", "paper", "--set", "duration=1", "--out", "full", "--force", cwd=tmp_path)
+    assert result.returncode == 0
+    assert (full / "thesis.txt").read_text() == "mine"
+    assert_refused(run("fly", "paper", "--out", "full/thesis.txt", cwd=tmp_path), "is a file")
+    assert_refused(run("fly", "paper", "--out", "/proc/none", cwd=tmp_path), "cannot be written")
+
+
+def test_check_and_list_fly_nothing(tmp_path):
+    result = run("check", "paper", cwd=tmp_path)
+    assert result.returncode == 0
+    assert "loop no-ftc: found" in result.stdout
+    listed = run("list", cwd=tmp_path).stdout
+    for name in ("intermittent", "total-loss", "f16", "ekf"):
+        assert name in listed
+    assert "paper" in run("list", "aircraft", cwd=tmp_path).stdout
+    assert not list(tmp_path.iterdir())
+
+
+def test_own_loop_and_own_scenario_are_found_from_the_working_folder(tmp_path):
+    """A module and a .toml beside the user, both by name; `python -m` has the folder on its path."""
+    source = Path(__file__).parent / "control" / "my_loop.py"
+    (tmp_path / "mine.py").write_text(source.read_text())
+    shipped = Path(__file__).parents[1] / "scenarios" / "nominal.toml"
+    (tmp_path / "own.toml").write_text(shipped.read_text().replace('"nominal"', '"own"'))
+    result = run("fly", "own.toml", "--loop", "mine:MyLoop", "--out", "o", cwd=tmp_path)
+    assert result.returncode in (0, 1), result.stderr
+    assert load(tmp_path / "o" / "flight.nc").scenario.loop.name == "mine:MyLoop"
+    broken = run("fly", "own.toml", "--loop", "mine:BrokenLoop", cwd=tmp_path)
+    assert_refused(broken, "mine:BrokenLoop, step at 0.51 s: ZeroDivisionError")
+
+
+def test_ctrl_c_saves_what_was_flown_and_exits_130(tmp_path):
+    """SIGINT into a long flight; the recording is readable and says that it was interrupted."""
+    run("fly", "nominal", "--set", "duration=1", "--out", "warm", cwd=tmp_path)  # kernels compiled
+    process = subprocess.Popen(
+        [sys.executable, "-m", "ftc_jsb", "fly", "nominal", "--model", "jsbsim", "--out", "o",
+         "--set", "duration=20000"],
+        cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    )  # fmt: skip
+    time.sleep(6.0)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130, errors
+    assert "Traceback" not in errors
+    flight = load(tmp_path / "o" / "flight.nc")
+    assert flight.outcome.status == "interrupted"
+    assert 100 < flight.record.size < 2_000_000
