@@ -118,12 +118,16 @@ def test_check_and_list_fly_nothing(tmp_path):
 
 
 def test_own_loop_and_own_scenario_are_found_from_the_working_folder(tmp_path):
-    """A module and a .toml beside the user, both by name; `python -m` has the folder on its path."""
+    """A module and a .toml beside the user, both by name, with the installed command."""
     source = Path(__file__).parent / "control" / "my_loop.py"
     (tmp_path / "mine.py").write_text(source.read_text())
     shipped = Path(__file__).parents[1] / "scenarios" / "nominal.toml"
     (tmp_path / "own.toml").write_text(shipped.read_text().replace('"nominal"', '"own"'))
-    result = run("fly", "own.toml", "--loop", "mine:MyLoop", "--out", "o", cwd=tmp_path)
+    command = Path(sys.executable).parent / "ftc-jsb"
+    result = subprocess.run(
+        [command, "fly", "own.toml", "--loop", "mine:MyLoop", "--out", "o"],
+        cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
     assert result.returncode in (0, 1), result.stderr
     assert load(tmp_path / "o" / "flight.nc").scenario.loop.name == "mine:MyLoop"
     broken = run("fly", "own.toml", "--loop", "mine:BrokenLoop", cwd=tmp_path)

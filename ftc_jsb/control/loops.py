@@ -1,8 +1,10 @@
 """The registry of outer loops, and what makes each flyable on a recording."""
 
 import importlib
+import sys
 from collections.abc import Callable
 from importlib.metadata import entry_points
+from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
@@ -180,6 +182,8 @@ def build_loop(setup: LoopSetup, model: npt.NDArray[Any], record: npt.NDArray[An
 def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
     """Class of a loop that is not built in: an entry point, or `package.module:Class`.
 
+    Modules are searched for in the working folder, too.
+
     Raises:
         LoopError: there is none.
     """
@@ -192,6 +196,8 @@ def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
             f"loop.name: no loop {name!r}; expected one of {', '.join(loop_names())}, "
             "or package.module:Class"
         )
+    if str(Path.cwd()) not in sys.path:
+        sys.path.append(str(Path.cwd()))
     try:
         module = importlib.import_module(module_name)
     except ImportError as error:
