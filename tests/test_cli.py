@@ -136,7 +136,8 @@ def test_own_loop_and_own_scenario_are_found_from_the_working_folder(tmp_path):
 
 def test_ctrl_c_saves_what_was_flown_and_exits_130(tmp_path):
     """SIGINT into a long flight; the recording is readable and says that it was interrupted."""
-    run("fly", "nominal", "--set", "duration=1", "--out", "warm", cwd=tmp_path)  # kernels compiled
+    warm = ("--model", "jsbsim", "--set", "duration=1")
+    run("fly", "nominal", *warm, "--out", "warm", cwd=tmp_path)  # kernels are compiled now
     process = subprocess.Popen(
         [sys.executable, "-m", "ftc_jsb", "fly", "nominal", "--model", "jsbsim", "--out", "o",
          "--set", "duration=20000"],
