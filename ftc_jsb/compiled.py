@@ -60,6 +60,11 @@ def compiled(function: Kernel) -> Kernel:
         config.CACHE_DIR = previous
 
 
+def compiled_in_memory(function: Kernel) -> Kernel:
+    """As `compiled`, without the disk: for kernels that are closures over other kernels."""
+    return cast(Kernel, numba.njit(error_model="numpy")(function))
+
+
 def direct(kernel: Callable[..., Any], *example: Any) -> Callable[..., Any]:
     """Entry point of `kernel` for arguments typed like `example`.
 

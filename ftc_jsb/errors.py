@@ -25,3 +25,7 @@ class LoopError(UserError):
 
 class RecordingError(UserError):
     """A recording cannot be read, or a folder for one cannot be written."""
+
+
+class TheoryError(UserError):
+    """A system that the theory does not cover; says which output, input or matrix, and where."""

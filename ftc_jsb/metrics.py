@@ -52,7 +52,17 @@ def _tracking(record: npt.NDArray[Any]) -> Metrics:
     return {
         **{f"rmse_{key}": _rms(errors[name]) for key, name in units.items()},
         **{f"peak_error_{key}": _peak(errors[name]) for key, name in units.items()},
+        "rmse_position_m": _rms(_distance(record)),
+        "peak_error_position_m": _peak(_distance(record)),
     }
+
+
+def _distance(record: npt.NDArray[Any]) -> npt.NDArray[np.float64]:
+    """Distance [m] from the path that the references make."""
+    square = sum(
+        (record[axis] - record[f"{axis}_ref"]) ** 2 for axis in ("north", "east", "altitude")
+    )
+    return np.asarray(np.sqrt(square))
 
 
 def judged(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:

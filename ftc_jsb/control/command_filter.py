@@ -9,6 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.path import acceleration
+from ftc_jsb.point_mass.dynamics import velocity
 
 COMMAND_FILTER = np.dtype(
     [
@@ -17,12 +19,17 @@ COMMAND_FILTER = np.dtype(
         ("from_next", float, (2,)),  # and at its end
         ("value", float, (3,)),  # airspeed, flight path angle, heading
         ("slope", float, (3,)),
+        ("position", float, (3,)),  # north, east, altitude [m] of the path that they make
     ]
 )
 
 
 def command_filter(
-    frequency: float, damping: float, dt: float, initial: npt.ArrayLike
+    frequency: float,
+    damping: float,
+    dt: float,
+    initial: npt.ArrayLike,
+    position: npt.ArrayLike = (0.0, 0.0, 0.0),
 ) -> npt.NDArray[Any]:
     """A COMMAND_FILTER array of one record, at rest on `initial`.
 
@@ -34,6 +41,7 @@ def command_filter(
         damping: z [-].
         dt: sample time [s].
         initial: (3,), raw commands at the start.
+        position: (3,), north, east and altitude [m] at the start.
     """
     from scipy.linalg import expm
 
@@ -47,6 +55,7 @@ def command_filter(
     filters["from_next"][0] = step[:2, 3]
     filters["from_now"][0] = step[:2, 2] - step[:2, 3]
     filters["value"][0] = initial
+    filters["position"][0] = position
     return filters
 
 
@@ -67,12 +76,27 @@ def reference_step(filters: Any, record: Any, i: int) -> None:
     row.airspeed_ref_rate = f.slope[0]
     row.flight_path_angle_ref_rate = f.slope[1]
     row.heading_ref_rate = f.slope[2]
+    row.north_ref, row.east_ref, row.altitude_ref = f.position[0], f.position[1], f.position[2]
     if i + 1 == record.size:
         return
     after = record[i + 1]
     _advance(f, 0, row.airspeed_cmd_raw, after.airspeed_cmd_raw)
     _advance(f, 1, row.flight_path_angle_cmd_raw, after.flight_path_angle_cmd_raw)
     _advance(f, 2, row.heading_cmd_raw, after.heading_cmd_raw)
+    _travel(f, row, after.time - row.time)
+
+
+@compiled
+def _travel(f: Any, row: Any, dt: float) -> None:
+    """The path of the references: (42) integrated with them, by Hermite's rule (order 4)."""
+    before = (row.airspeed_ref, row.flight_path_angle_ref, row.heading_ref)
+    slope = (row.airspeed_ref_rate, row.flight_path_angle_ref_rate, row.heading_ref_rate)
+    now = (f.value[0], f.value[1], f.value[2])
+    now_slope = (f.slope[0], f.slope[1], f.slope[2])
+    v0, v1 = velocity(*before), velocity(*now)
+    a0, a1 = acceleration(*before, *slope), acceleration(*now, *now_slope)
+    for k in range(3):
+        f.position[k] += 0.5 * dt * (v0[k] + v1[k]) + dt * dt / 12.0 * (a0[k] - a1[k])
 
 
 @compiled

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable
 from importlib.metadata import entry_points
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -27,18 +27,26 @@ from ftc_jsb.disturbance.faults import CHANNELS
 from ftc_jsb.errors import LoopError
 from ftc_jsb.scenario.schema import Loop
 
-# name: (estimator, where the law takes the effectiveness from, integral action, what it is)
-BUILT_IN: dict[str, tuple[int, int, bool, str]] = {
-    "ftc": (UNSCENTED, ESTIMATED, False, "the paper's: UKF estimate in the law (20)"),
-    "no-ftc": (
-        UNSCENTED,
-        ASSUMED_HEALTHY,
-        False,
-        "same law and filter, effectiveness 1 in the law",
+
+class Kind(NamedTuple):
+    """What makes one built-in loop differ from another."""
+
+    meaning: str
+    estimator: int = UNSCENTED
+    effectiveness: int = ESTIMATED  # where the law takes it from
+    integral: bool = False
+    path: bool = False  # tracks position
+
+
+BUILT_IN = {
+    "ftc": Kind("the paper's: UKF estimate in the law (20)"),
+    "no-ftc": Kind(
+        "same law and filter, effectiveness 1 in the law", effectiveness=ASSUMED_HEALTHY
     ),
-    "oracle": (UNSCENTED, TRUE, False, "the true effectiveness in the law"),
-    "integral": (NO_ESTIMATOR, ASSUMED_HEALTHY, True, "no estimator, integral action"),
-    "ekf": (EXTENDED, ESTIMATED, False, "as ftc, with an extended Kalman filter"),
+    "oracle": Kind("the true effectiveness in the law", effectiveness=TRUE),
+    "integral": Kind("no estimator, integral action", NO_ESTIMATOR, ASSUMED_HEALTHY, integral=True),
+    "ekf": Kind("as ftc, with an extended Kalman filter", EXTENDED),
+    "path": Kind("as ftc, tracking position: the path that the references make", path=True),
 }
 ENTRY_POINTS = "ftc_jsb.loops"
 
@@ -82,6 +90,7 @@ class PythonLoop:
         self._measured = [f"{name}_meas" for name in Measurement._fields]
         states = Reference._fields[:3]
         self._reference = [f"{n}_ref" for n in states] + [f"{n}_ref_rate" for n in states]
+        self._reference += ["north_ref", "east_ref", "altitude_ref"]
 
     def step(self, i: int) -> None:
         """One sample.
@@ -118,15 +127,17 @@ class PythonLoop:
 
 def loop_settings(name: str, loop: Loop, model: npt.NDArray[Any], dt: float) -> npt.NDArray[Any]:
     """[loop] of a scenario as (1,) LOOP_SETTINGS of the built-in loop `name`."""
-    estimator_kind, source, integral, _ = BUILT_IN[name]
+    kind = BUILT_IN[name]
     estimator, detector = loop.estimator, loop.detector
     settings = np.zeros(1, LOOP_SETTINGS)
     s = settings[0]
     s["dt"] = dt
-    s["estimator"] = estimator_kind
-    s["effectiveness"] = source
+    s["estimator"] = kind.estimator
+    s["effectiveness"] = kind.effectiveness
     s["gains"] = loop.gains
-    s["integral_gains"] = loop.integral_gains if integral else 0.0
+    s["integral_gains"] = loop.integral_gains if kind.integral else 0.0
+    s["track_path"] = kind.path
+    s["path_gains"] = loop.path_gains
     s["trim_filter"] = loop.trim_filter
     s["effectiveness_floor"] = loop.effectiveness_floor
     if loop.response_lead:
@@ -153,7 +164,7 @@ def loop_settings(name: str, loop: Loop, model: npt.NDArray[Any], dt: float) -> 
 
 def loop_names() -> dict[str, str]:
     """Name and description of every loop: built in, and installed by entry point."""
-    names = {name: entry[3] for name, entry in BUILT_IN.items()}
+    names = {name: kind.meaning for name, kind in BUILT_IN.items()}
     for point in entry_points(group=ENTRY_POINTS):
         names[point.name] = f"installed: {point.value}"
     return names

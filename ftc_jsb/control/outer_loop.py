@@ -11,13 +11,14 @@ import numpy as np
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import control_law, load_factor_limit
+from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.estimation.detector import DETECTOR, detect
 from ftc_jsb.estimation.ekf import predict_extended
 from ftc_jsb.estimation.process import CHANNELS, FILTER, OUTPUTS, STATES, Forcing
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
-from ftc_jsb.point_mass.dynamics import level_trim_thrust
+from ftc_jsb.point_mass.dynamics import level_trim_thrust, velocity
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
 
@@ -31,6 +32,8 @@ LOOP_SETTINGS = np.dtype(
         ("effectiveness", np.int64),  # the law's: ESTIMATED, ASSUMED_HEALTHY or TRUE
         ("gains", float, (3,)),  # K_c [1/s]
         ("integral_gains", float, (3,)),  # [1/s^2]
+        ("track_path", np.int64),  # 1: y is the position, of index 2
+        ("path_gains", float, (2,)),  # of position [1/s^2] and velocity errors [1/s]
         ("trim_filter", float),  # zeta of (10) [1/s]
         ("effectiveness_floor", float),  # sigma: the least effectiveness the law divides by
         ("lead", float, (2,)),  # [s] of load factor and bank, against the inner loop's lag
@@ -249,6 +252,23 @@ def _law_effectiveness(s: Any, x: Any, row: Any) -> tuple[float, float, float]:
 
 
 @compiled
+def _path_demand(s: Any, row: Any, airspeed: float, path: float) -> Any:
+    """Rates that the path asks for: y_m'' - K e of (17) for y = position, e of (16) with its rate."""
+    reference = (row.airspeed_ref, row.flight_path_angle_ref, row.heading_ref)
+    rate = (row.airspeed_ref_rate, row.flight_path_angle_ref_rate, row.heading_ref_rate)
+    wanted = acceleration(*reference, *rate)
+    moving = velocity(row.airspeed_meas, row.flight_path_angle_meas, row.heading_meas)
+    meant = velocity(*reference)
+    far, fast = s.path_gains[0], s.path_gains[1]
+    total = (
+        wanted[0] - far * (row.north_meas - row.north_ref) - fast * (moving[0] - meant[0]),
+        wanted[1] - far * (row.east_meas - row.east_ref) - fast * (moving[1] - meant[1]),
+        wanted[2] - far * (row.altitude_meas - row.altitude_ref) - fast * (moving[2] - meant[2]),
+    )
+    return rates_of(airspeed, path, row.heading_meas, total)
+
+
+@compiled
 def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     """Law (20), limits, response lead, and the trim-input filter (10)."""
     errors = (
@@ -259,6 +279,16 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     airspeed, path = x.measurement[0], x.measurement[1]
     if s.estimator != NO_ESTIMATOR:
         airspeed, path = x.filter.estimate[0], x.filter.estimate[1]
+    if s.track_path == 1:
+        rates = _path_demand(s, row, airspeed, path)
+    else:
+        rates = (
+            row.airspeed_ref_rate - s.gains[0] * errors[0] - s.integral_gains[0] * x.integral[0],
+            row.flight_path_angle_ref_rate
+            - s.gains[1] * errors[1]
+            - s.integral_gains[1] * x.integral[1],
+            row.heading_ref_rate - s.gains[2] * errors[2] - s.integral_gains[2] * x.integral[2],
+        )
     wanted = control_law(
         at,
         airspeed,
@@ -267,11 +297,9 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
         x.trim[1],
         x.trim[2],
         _law_effectiveness(s, x, row),
-        row.airspeed_ref_rate - s.gains[0] * errors[0] - s.integral_gains[0] * x.integral[0],
-        row.flight_path_angle_ref_rate
-        - s.gains[1] * errors[1]
-        - s.integral_gains[1] * x.integral[1],
-        row.heading_ref_rate - s.gains[2] * errors[2] - s.integral_gains[2] * x.integral[2],
+        rates[0],
+        rates[1],
+        rates[2],
     )
     load_max = load_factor_limit(at, airspeed, m.load_factor_max, m.lift_coefficient_max)
     x.demand[0] = min(max(wanted[0], at.thrust_idle), at.thrust_maximum)

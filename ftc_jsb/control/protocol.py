@@ -22,6 +22,8 @@ class Measurement(NamedTuple):
     airspeed: float
     flight_path_angle: float
     heading: float
+    north: float
+    east: float
     altitude: float
     load_factor: float
     bank_angle: float
@@ -33,7 +35,7 @@ class Measurement(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """What is to be tracked, SI and rad, and its rate."""
+    """What is to be tracked, SI and rad, its rate, and the path that it makes."""
 
     airspeed: float
     flight_path_angle: float
@@ -41,6 +43,9 @@ class Reference(NamedTuple):
     airspeed_rate: float
     flight_path_angle_rate: float
     heading_rate: float
+    north: float
+    east: float
+    altitude: float
 
 
 class Command(NamedTuple):

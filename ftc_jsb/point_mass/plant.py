@@ -117,7 +117,7 @@ def point_mass_truth(model: Any, state: Any, record: Any, i: int) -> None:
     row.mach = x[0] / at.sound_speed
     row.mass = m.mass
     row.airspeed_meas, row.flight_path_angle_meas, row.heading_meas = x[0], x[1], x[2]
-    row.altitude_meas = x[5]
+    row.north_meas, row.east_meas, row.altitude_meas = x[3], x[4], x[5]
     row.load_factor_meas, row.bank_angle_meas = x[6], x[8]
 
 

@@ -11,6 +11,7 @@ LOOPS = {
     "oracle": "true effectiveness known",
     "integral": "integral action",
     "ekf": "with FTC (EKF)",
+    "path": "path tracking with FTC",
 }
 
 
@@ -28,6 +29,7 @@ FIGURES = (
     Figure("rmse_flight_path_deg", "RMSE flight path", "deg", 4),
     Figure("rmse_heading_deg", "RMSE heading", "deg", 4),
     Figure("peak_error_airspeed_mps", "Peak error airspeed", "m/s", 2),
+    Figure("rmse_position_m", "RMSE position", "m", 1),
     Figure("effectiveness_thrust_error_rms", "Effectiveness error RMS", "", 4),
     Figure("effectiveness_thrust_error_max", "Effectiveness error max", "", 4),
     Figure("detection_delay_s", "Detection delay", "s", 2),

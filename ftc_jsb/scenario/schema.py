@@ -116,6 +116,7 @@ class Loop(_Section):
     rate: float = Field(100.0, ge=1.0, le=1000.0)  # Hz
     gains: tuple[_Gain, _Gain, _Gain] = (1.0, 1.0, 1.0)  # K_c, 1/s
     integral_gains: tuple[_Gain, _Gain, _Gain] = (0.25, 0.25, 0.25)  # 1/s2, loop `integral` only
+    path_gains: tuple[_Gain, _Gain] = (0.25, 1.0)  # 1/s2 and 1/s, loop `path` only
     trim_filter: float = Field(50.0, ge=0.5, le=1000.0)  # zeta of (10), 1/s
     effectiveness_floor: float = Field(0.05, ge=0.001, le=0.5)  # sigma
     response_lead: bool = True  # lead against the identified lag of load factor and bank

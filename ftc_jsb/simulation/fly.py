@@ -52,7 +52,8 @@ def fly(
     setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt)
     first = [record[0][f"{name}_cmd_raw"] for name in ("airspeed", "flight_path_angle", "heading")]
     reference = scenario.reference
-    filters = command_filter(reference.filter_frequency, reference.filter_damping, dt, first)
+    start = (0.0, 0.0, scenario.initial.altitude)
+    filters = command_filter(reference.filter_frequency, reference.filter_damping, dt, first, start)
     refer = direct(reference_step, filters, record, 0)
     check = direct(departed, record, 0)
     loop = build_loop(setup, model, record)

@@ -37,7 +37,12 @@ def _reference() -> list[Variable]:
                 f"rate of the {meaning} reference",
             ),
         ]
-    return columns
+    return [
+        *columns,
+        Variable("north_ref", "m", "position north of the path that the references make"),
+        Variable("east_ref", "m", "position east of the path that the references make"),
+        Variable("altitude_ref", "m", "altitude of the path that the references make"),
+    ]
 
 
 def _truth() -> list[Variable]:
@@ -74,7 +79,7 @@ def _truth() -> list[Variable]:
 
 def _measured() -> list[Variable]:
     measured = (
-        "airspeed", "flight_path_angle", "heading", "altitude", "load_factor", "bank_angle",
+        "airspeed", "flight_path_angle", "heading", "north", "east", "altitude", "load_factor", "bank_angle",
         "alpha", "sideslip", "pitch_rate", "elevator", "flap",
     )  # fmt: skip
     truth = {column.name: column for column in _truth()}

@@ -108,7 +108,7 @@ def observe(raw: Any, state: Any, record: Any, i: int) -> None:
     row.airspeed_meas = row.airspeed
     row.flight_path_angle_meas = row.flight_path_angle
     row.heading_meas = row.heading
-    row.altitude_meas = row.altitude
+    row.north_meas, row.east_meas, row.altitude_meas = row.north, row.east, row.altitude
     row.load_factor_meas = row.load_factor
     row.bank_angle_meas = row.bank_angle
     row.alpha_meas, row.sideslip_meas = alpha, beta

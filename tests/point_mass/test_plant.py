@@ -30,7 +30,7 @@ class IndependentPlant:
         row = self.record[i]
         for name, value in zip(STATE, self.x, strict=True):
             row[name] = value
-        for name in ("airspeed", "flight_path_angle", "heading", "altitude"):
+        for name in STATE:
             row[f"{name}_meas"] = row[name]
         row["load_factor"] = row["load_factor_meas"] = self.n
         row["bank_angle"] = row["bank_angle_meas"] = self.bank
