@@ -1,6 +1,7 @@
 """The command line: parse, call, print. Imports what a command needs only when it runs."""
 
 import json
+import shlex
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -70,12 +71,13 @@ def fly(
     as_json: bool,
 ) -> None:
     """Fly SCENARIO once; write flight.nc and metrics.json."""
-    from ftc_jsb.simulation.session import fly_and_save, output_folder
+    from ftc_jsb.simulation.folder import output_folder
+    from ftc_jsb.simulation.session import fly_and_save
 
     flown = _load(scenario, _with(overrides, model, loop))
-    folder = output_folder(out, flown.name, force)
-    _announce_compilation()
-    result = fly_and_save(flown, folder, _progress_for(flown, as_json))
+    with output_folder(out, flown.name, force) as folder:
+        _announce(flown)
+        result = fly_and_save(flown, folder, _progress_for(flown, as_json))
     if as_json:
         click.echo(json.dumps(result.document, indent=2))
     else:
@@ -96,13 +98,14 @@ def compare(
     scenario: str, overrides: tuple[str, ...], out: Path | None, force: bool, as_json: bool
 ) -> None:
     """Fly every model and loop of [compare]; write recordings, metrics.json and report.html."""
-    from ftc_jsb.simulation.session import compare_and_save, output_folder
+    from ftc_jsb.simulation.folder import output_folder
+    from ftc_jsb.simulation.session import compare_and_save
 
     flown = _load(scenario, overrides)
-    folder = output_folder(out, f"compare-{flown.name}", force)
-    _announce_compilation()
-    flights, interrupted = compare_and_save(flown, folder, _progress_for(flown, as_json))
-    _write_report(flights, folder, as_json)
+    with output_folder(out, f"compare-{flown.name}", force) as folder:
+        _announce(flown)
+        flights, interrupted = compare_and_save(flown, folder, _progress_for(flown, as_json))
+        _write_report(flights, folder, as_json)
     if interrupted:
         sys.exit(INTERRUPTED)
 
@@ -116,13 +119,14 @@ def compare(
 @_json_option
 def report(recordings: tuple[Path, ...], out: Path | None, force: bool, as_json: bool) -> None:
     """Write the report of recordings that exist."""
-    from ftc_jsb.simulation.session import labelled_recordings, output_folder
+    from ftc_jsb.simulation.folder import output_folder
+    from ftc_jsb.simulation.session import labelled_recordings
 
     flights, broken = labelled_recordings(recordings)
     for message in broken:
         click.echo(f"ftc-jsb: {message}", err=True)
-    folder = output_folder(out, "report", force)
-    _write_report(flights, folder, as_json)
+    with output_folder(out, "report", force) as folder:
+        _write_report(flights, folder, as_json)
     if broken:
         sys.exit(BAD_USAGE)
 
@@ -137,6 +141,7 @@ def check(file: str, overrides: tuple[str, ...]) -> None:
     flown = _load(file, overrides)
     for line in check_scenario(flown):
         click.echo(line)
+    _note(flown)
 
 
 @main.command("list")
@@ -161,17 +166,16 @@ def identify(aircraft: str, out: Path | None, force: bool) -> None:
     """Fit the point mass of AIRCRAFT to virtual flight tests; write point_mass.toml."""
     from ftc_jsb.identify.identify import identify as run
     from ftc_jsb.identify.identify import write_point_mass
-    from ftc_jsb.simulation.session import output_folder
+    from ftc_jsb.simulation.folder import output_folder
     from ftc_jsb.six_dof.aircraft import load_aircraft
 
     loaded = load_aircraft(aircraft)
-    folder = output_folder(out, f"identify-{loaded.name}", force)
-    contents = run(loaded, lambda line: click.echo(line, err=True))
-    path = folder / "point_mass.toml"
-    write_point_mass(path, contents)
+    with output_folder(out, f"identify-{loaded.name}", force) as folder:
+        contents = run(loaded, lambda line: click.echo(line, err=True))
+        write_point_mass(folder / "point_mass.toml", contents)
     for key, value in contents["identification"].items():
         click.echo(f"{key}: {value}")
-    click.echo(f"Written: {path}")
+    click.echo(f"Written: {folder / 'point_mass.toml'}")
 
 
 # --- what the commands share ------------------------------------------------------------------
@@ -189,7 +193,15 @@ def _with(overrides: tuple[str, ...], model: str | None, loop: str | None) -> li
     return [*overrides, *extra]
 
 
-def _announce_compilation() -> None:
+def _note(scenario: "Scenario") -> None:
+    from ftc_jsb.scenario.notes import notes
+
+    for note in notes(scenario):
+        click.echo(f"ftc-jsb: note: {note}", err=True)
+
+
+def _announce(scenario: "Scenario") -> None:
+    _note(scenario)
     from ftc_jsb.compiled import is_first_run
 
     if is_first_run():
@@ -207,7 +219,7 @@ def _write_report(flights: dict[str, Any], folder: Path, as_json: bool) -> None:
     from ftc_jsb.report.table import print_table
     from ftc_jsb.simulation.session import document
 
-    command = " ".join(["ftc-jsb", *sys.argv[1:]])
+    command = shlex.join(["ftc-jsb", *sys.argv[1:]])
     metrics = write_report(flights, folder, command)
     if as_json:
         click.echo(json.dumps(document(metrics), indent=2))
@@ -228,6 +240,9 @@ def _exit_by(metrics: dict[str, Any]) -> NoReturn:
     if metrics["status"] == "interrupted":
         click.echo(f"ftc-jsb: interrupted at {metrics['end_time_s']:.2f} s; saved", err=True)
         sys.exit(INTERRUPTED)
+    if metrics["status"] == "failed":
+        click.echo(f"ftc-jsb: {metrics['reason']}; what was flown is saved", err=True)
+        sys.exit(BAD_USAGE)
     if metrics["status"] == "departed":
         click.echo(
             f"ftc-jsb: departed at {metrics['end_time_s']:.2f} s: {metrics['reason']}", err=True

@@ -79,9 +79,9 @@ def judged(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
 
 def _estimation(record: npt.NDArray[Any]) -> Metrics:
     error = record["effectiveness_thrust_est"] - record["effectiveness_thrust"]
-    error = np.abs(error[judged(record)])
+    error = np.abs(error[judged(record) & np.isfinite(error)])
     name = "effectiveness_thrust_error"
-    if error.size == 0 or not np.isfinite(error).all():
+    if error.size == 0:
         return {f"{name}_rms": None, f"{name}_p95": None, f"{name}_max": None}
     return {
         f"{name}_rms": _rms(error),
@@ -115,6 +115,7 @@ def _effort(record: npt.NDArray[Any]) -> Metrics:
     travel = np.nansum(np.abs(np.diff(record["thrust_cmd"])))
     return {
         "saturated_fraction": float(np.mean(saturated)),
+        "outside_identified_fraction": float(np.nanmean(record["outside_range"])),
         "thrust_travel_n_per_s": float(travel / duration) if duration > 0.0 else 0.0,
         "peak_thrust_n": _peak(record["thrust"]),
         "peak_load_factor": _peak(record["load_factor"]),

@@ -16,6 +16,7 @@ def flight(**columns):
     for name in ("airspeed", "flight_path_angle", "heading"):
         record[name] = record[f"{name}_ref"] = 0.0
     record["fault_declared"] = 0.0
+    record["outside_range"] = 0.0
     record["thrust_saturated"] = record["load_factor_saturated"] = 0.0
     for name, values in columns.items():
         record[name] = values

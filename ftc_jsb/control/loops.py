@@ -1,6 +1,7 @@
 """The registry of outer loops, and what makes each flyable on a recording."""
 
 import importlib
+import math
 import sys
 from collections.abc import Callable
 from importlib.metadata import entry_points
@@ -91,6 +92,8 @@ class PythonLoop:
         states = Reference._fields[:3]
         self._reference = [f"{n}_ref" for n in states] + [f"{n}_ref_rate" for n in states]
         self._reference += ["north_ref", "east_ref", "altitude_ref"]
+        names = record.dtype.names or ()
+        self._writable = [n for n in names if n.endswith(("_est", "_std"))] + ["fault_declared"]
 
     def step(self, i: int) -> None:
         """One sample.
@@ -110,19 +113,33 @@ class PythonLoop:
             ) from error
         if not isinstance(command, Command):
             raise LoopError(f"loop {name}: step returned {command!r}, expected a Command")
-        row["thrust_cmd"] = command.thrust
-        row["load_factor_cmd"] = row["load_factor_demand"] = command.load_factor
-        row["bank_angle_cmd"] = row["bank_angle_demand"] = command.bank_angle
+        row["thrust_cmd"] = _number(name, "thrust", command.thrust)
+        row["load_factor_cmd"] = _number(name, "load_factor", command.load_factor)
+        row["bank_angle_cmd"] = _number(name, "bank_angle", command.bank_angle)
+        row["load_factor_demand"] = row["load_factor_cmd"]
+        row["bank_angle_demand"] = row["bank_angle_cmd"]
+        row["thrust_saturated"] = row["load_factor_saturated"] = row["outside_range"] = 0.0
         for key, value in command.estimates.items():
-            if not key.endswith(("_est", "_std")) and key != "fault_declared":
+            if key not in self._writable:
                 raise LoopError(
-                    f"loop {name}: estimates[{key!r}]; expected *_est, *_std or fault_declared"
+                    f"loop {name}: estimates[{key!r}]: expected one of {', '.join(self._writable)}"
                 )
-            if key not in (self._record.dtype.names or ()):
-                raise LoopError(
-                    f"loop {name}: estimates[{key!r}] is not a variable of the recording"
-                )
-            row[key] = value
+            row[key] = _number(name, key, value)
+
+
+def _number(loop: str, field: str, value: object) -> float:
+    """A finite number out of a user's loop.
+
+    Raises:
+        LoopError: it is none.
+    """
+    try:
+        number = float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise LoopError(f"loop {loop}: {field} is {value!r}, expected a finite number")
+    return number
 
 
 def loop_settings(name: str, loop: Loop, model: npt.NDArray[Any], dt: float) -> npt.NDArray[Any]:
@@ -202,7 +219,7 @@ def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
         loaded: Callable[[LoopSetup], OuterLoop] = point.load()
         return loaded
     module_name, colon, class_name = name.partition(":")
-    if not colon:
+    if not colon or not module_name or not class_name:
         raise LoopError(
             f"loop.name: no loop {name!r}; expected one of {', '.join(loop_names())}, "
             "or package.module:Class"
@@ -211,8 +228,10 @@ def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
         sys.path.append(str(Path.cwd()))
     try:
         module = importlib.import_module(module_name)
-    except ImportError as error:
-        raise LoopError(f"loop.name: {name!r}: cannot import {module_name!r}: {error}") from None
+    except Exception as error:  # whatever a user's module does when it is imported
+        raise LoopError(
+            f"loop.name: {name!r}: cannot import {module_name!r}: {type(error).__name__}: {error}"
+        ) from None
     try:
         found: Callable[[LoopSetup], OuterLoop] = getattr(module, class_name)
     except AttributeError:

@@ -89,7 +89,7 @@ def outer_loop_step(settings: Any, model: Any, state: Any, record: Any, i: int) 
         _start(s, m, x, at, row)
     else:
         _estimate(s, m, x, at, row)
-    _report(s, x, row)
+    _report(s, m, x, at, row)
     _decide(s, m, x, at, row)
 
 
@@ -184,9 +184,29 @@ def _estimate(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
 
 
 @compiled
-def _report(s: Any, x: Any, row: Any) -> None:
+def _outside(m: Any, x: Any, at: Any, row: Any) -> bool:
+    """Whether Mach number, altitude or lift coefficient are outside the range of the fit."""
+    if m.valid_mach[1] == 0.0:
+        return False
+    mach = row.airspeed_meas / at.sound_speed
+    pressure_area = 0.5 * at.density * row.airspeed_meas * row.airspeed_meas * m.area
+    load_factor = row.load_factor_meas if math.isfinite(row.load_factor_meas) else x.demand[1]
+    lift = load_factor * m.mass * m.gravity / pressure_area
+    return bool(
+        mach < m.valid_mach[0]
+        or mach > m.valid_mach[1]
+        or lift < m.valid_lift[0]
+        or lift > m.valid_lift[1]
+        or row.altitude_meas < m.valid_altitude[0]
+        or row.altitude_meas > m.valid_altitude[1]
+    )
+
+
+@compiled
+def _report(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     """Write estimates, innovations and the detector's verdict; nan where nothing estimates."""
     row.thrust_model = x.thrust
+    row.outside_range = 1.0 if _outside(m, x, at, row) else 0.0
     row.fault_declared = 0.0
     if s.estimator == NO_ESTIMATOR:
         return
@@ -304,7 +324,7 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     load_max = load_factor_limit(at, airspeed, m.load_factor_max, m.lift_coefficient_max)
     x.demand[0] = min(max(wanted[0], at.thrust_idle), at.thrust_maximum)
     x.demand[1] = min(max(wanted[1], m.load_factor_min), load_max)
-    x.demand[2] = wanted[2]
+    x.demand[2] = min(max(wanted[2], -math.pi), math.pi)
     row.thrust_saturated = 1.0 if x.demand[0] != wanted[0] else 0.0
     row.load_factor_saturated = 1.0 if x.demand[1] != wanted[1] else 0.0
     if row.thrust_saturated == 0.0:  # an integral that its limit stops would wind up

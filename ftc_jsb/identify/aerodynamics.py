@@ -11,12 +11,13 @@ from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 from ftc_jsb.units import STANDARD_GRAVITY
 
 MACH_STEP = 0.05
-LIFT_STEP = 0.05
+LIFT_STEP = 0.025
 ALPHA_STEP = np.radians(2.5)
-ELEVATOR_STEP = np.radians(5.0)
+ELEVATOR_STEP = np.radians(12.5)
 BREAK_WIDTH = 0.002  # [-], half the distance of the knots of a break
 RIDGE = 1e-5  # of relative drag: decides only what no flight has seen
-SMOOTH = 1e-4  # across Mach knots, likewise
+SMOOTH = 1e-3  # of the polar across Mach knots: what no flight has seen is like its neighbours
+ANGLES_SMOOTH = 1e-4  # likewise of the drag from angles, which flights cover densely
 
 
 class Sample(NamedTuple):
@@ -51,9 +52,17 @@ def sample(records: list[npt.NDArray[Any]], area: float) -> Sample:
 
 
 def knots(values: Array, step: float) -> Array:
-    """Multiples of `step` that cover nearly all (99.8 %) of the values."""
+    """Multiples of `step` inside the values' range (of 99.8 %), and none beyond it."""
     low, high = np.percentile(values, (0.1, 99.9))
-    return np.arange(np.floor(low / step), np.ceil(high / step) + 1) * step
+    return np.arange(np.ceil(low / step), np.floor(high / step) + 1) * step
+
+
+def knots_to_the_ends(values: Array, step: float) -> Array:
+    """As `knots`, with the ends of the values' range as first and last."""
+    low, high = float(values.min()), float(values.max())
+    inner = knots(values, step)
+    inner = inner[(inner > low + 0.3 * step) & (inner < high - 0.3 * step)]
+    return np.concatenate([[low], inner, [high]])
 
 
 def mach_knots(values: Array, breaks: Sequence[float]) -> Array:
@@ -160,8 +169,8 @@ def _angles_design(data: Sample, mach: Array, alpha: Array, elevator: Array) -> 
 
 def fit_angles_drag(data: Sample, breaks: Sequence[float]) -> AnglesDrag:
     """C_D from Mach, alpha, elevator, pitch rate, flap and sideslip, relative residual."""
-    mach, alpha = mach_knots(data.mach, breaks), knots(data.alpha, ALPHA_STEP)
-    elevator = knots(data.elevator, ELEVATOR_STEP)
+    mach, alpha = mach_knots(data.mach, breaks), knots_to_the_ends(data.alpha, ALPHA_STEP)
+    elevator = knots_to_the_ends(data.elevator, ELEVATOR_STEP)
     m, n, k = len(mach), len(alpha), len(elevator)
     sizes = np.cumsum([m * n, n * k, n, 1, 1])
     level = 1.0 / np.mean(data.drag)
@@ -171,7 +180,7 @@ def fit_angles_drag(data: Sample, breaks: Sequence[float]) -> AnglesDrag:
         _angles_design(data, mach, alpha, elevator),
         data.drag,
         1.0 / data.drag,
-        [SMOOTH * level * smooth, RIDGE * np.eye(sizes[-1])],
+        [ANGLES_SMOOTH * level * smooth, RIDGE * np.eye(sizes[-1])],
     )
     table, elevator_table, pitch_rate, flap, sideslip = np.split(solution, sizes[:-1])
     return AnglesDrag(

@@ -70,7 +70,7 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
             "gravity": 9.80665,
         },
         "load_factor": {
-            "minimum": aircraft.flight_test.load_factor[0] - 2.0,
+            "minimum": aircraft.flight_test.load_factor[0],
             "maximum": aircraft.flight_test.load_factor[1],
             "lift_coefficient_max": aircraft.flight_test.lift_coefficient_max,
         },
@@ -111,6 +111,11 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
             "bank_rate_max": round(bank.rate_max, 3),
             "bank_acceleration_max": round(bank.acceleration_max, 2),
         },
+        "valid": {
+            "mach": _range(data.mach),
+            "lift_coefficient": _range(data.lift),
+            "altitude": _range(np.concatenate([record["altitude"] for record in fitted])),
+        },
         "identification": {
             "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
             "command": f"ftc-jsb identify {aircraft.name}",
@@ -118,10 +123,7 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
             "ftc_jsb": ftc_jsb.__version__,
             "flights": len(fitted),
             "flights_held_out": len(unseen),
-            "mach_range": _range(data.mach),
-            "lift_coefficient_range": _range(data.lift),
             "alpha_range_deg": _range(np.degrees(data.alpha)),
-            "altitude_range_m": _range(np.concatenate([record["altitude"] for record in fitted])),
             "residual_drag_polar_percent": _percent(polar_error),
             "residual_drag_angles_percent": _percent(angles_error),
             "residual_thrust_percent_of_maximum": _percent(thrust_error),

@@ -32,7 +32,7 @@ def training(test: FlightTest) -> Iterator[Manoeuvre]:
         slow = max(low, _slowest(altitude))
         yield Manoeuvre("level acceleration", slow + 5.0, altitude, fuel, 50.0, _accelerate)
         yield Manoeuvre("level deceleration", 0.93 * high, altitude, fuel, 50.0, _decelerate)
-        for airspeed in np.linspace(slow + 10.0, 0.93 * high, 4):
+        for airspeed in np.linspace(slow + 10.0, 0.93 * high, 5):
             for side in (-1.0, 1.0):
                 yield Manoeuvre(
                     "wind-up turn", airspeed, altitude, fuel, 25.0,
@@ -62,8 +62,8 @@ def held_out(test: FlightTest) -> Iterator[Manoeuvre]:
 
 
 def _slowest(altitude: float) -> float:
-    """Airspeed [m/s] of 140 m/s at sea level at the same dynamic pressure (exponential density)."""
-    return 140.0 * math.exp(altitude / 2.0 / 9000.0)
+    """Airspeed [m/s] of 125 m/s at sea level at the same dynamic pressure (exponential density)."""
+    return 125.0 * math.exp(altitude / 2.0 / 9000.0)
 
 
 def _accelerate(time: float) -> tuple[float, float, float, float]:

@@ -13,7 +13,7 @@ from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 
 MACH_KNOTS = 24
 ALTITUDE_KNOTS = 12
-LIFT_KNOTS = 48
+LIFT_KNOTS = 80
 ALPHA_KNOTS = 16
 ELEVATOR_KNOTS = 12
 DRAG_TERMS = 3  # powers 0..2 of the lift coefficient
@@ -29,6 +29,9 @@ MODEL = np.dtype(
         ("lift_coefficient_max", float),
         ("constant_density", float),  # [kg/m^3]; 0 = standard atmosphere
         ("constant_sound_speed", float),  # [m/s]; with a constant density
+        ("valid_mach", float, (2,)),  # range of the fit; 0, 0 = everywhere
+        ("valid_lift", float, (2,)),
+        ("valid_altitude", float, (2,)),  # [m]
         ("mach_count", np.int64),
         ("mach", float, (MACH_KNOTS,)),
         ("drag", float, (MACH_KNOTS, DRAG_TERMS)),

@@ -1,5 +1,6 @@
 """The typed `point_mass.toml`: Table 1 of the paper, or an aircraft identified from flights."""
 
+import json
 import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Self
@@ -156,6 +157,14 @@ class Atmosphere(_Section):
     sound_speed: _Positive  # m/s, only for the Mach number that is recorded
 
 
+class Validity(_Section):
+    """The range that was fitted, [low, high]."""
+
+    mach: tuple[_Number, _Number]
+    lift_coefficient: tuple[_Number, _Number]
+    altitude: tuple[_Number, _Number]  # m
+
+
 class PointMass(_Section):
     """A whole `point_mass.toml`."""
 
@@ -167,6 +176,7 @@ class PointMass(_Section):
     measured_drag: MeasuredDrag | None = None
     response: Response = Response()
     atmosphere: Atmosphere | None = None
+    valid: Validity | None = None  # outside, the loop says so
     identification: dict[str, Any] = {}  # how, when and how well it was fitted
 
     def initial_mass(self, fuel_fraction: float) -> float:
@@ -200,6 +210,10 @@ class PointMass(_Section):
             m["drag_table"][:knots, :columns] = table.values
         if self.measured_drag is not None:
             _fill_measured_drag(m, self.measured_drag)
+        if self.valid is not None:
+            m["valid_mach"] = self.valid.mach
+            m["valid_lift"] = self.valid.lift_coefficient
+            m["valid_altitude"] = self.valid.altitude
         rows, columns = len(self.thrust.mach), len(self.thrust.altitude)
         m["deck_mach_count"], m["deck_altitude_count"] = rows, columns
         m["deck_mach"][:rows] = self.thrust.mach
@@ -239,10 +253,11 @@ def load_point_mass(folder: Path) -> PointMass:
     """
     path = folder / "point_mass.toml"
     try:
-        return PointMass(**tomllib.loads(path.read_text(encoding="utf-8")))
+        values = json.dumps(tomllib.loads(path.read_text(encoding="utf-8")), default=str)
+        return PointMass.model_validate_json(values, strict=True)
     except OSError as error:
         raise AircraftError(f"{path}: cannot be read: {error.strerror}") from None
     except tomllib.TOMLDecodeError as error:
         raise AircraftError(f"{path}: not TOML: {error}") from None
     except ValidationError as error:
-        raise AircraftError(f"{path}: {first_problem(error)}") from None
+        raise AircraftError(f"{path}: {first_problem(error, PointMass)}") from None

@@ -63,9 +63,9 @@ def states(flights: Flights) -> Figure:
 def tracking(flights: Flights) -> Figure:
     """Tracking errors: airspeed, flight path angle and heading minus their references."""
     rows = (
-        ("error_airspeed", "Airspeed [m/s]", _same),
-        ("error_flight_path_deg", "Flight path [deg]", _same),
-        ("error_heading_deg", "Heading [deg]", _same),
+        ("error_airspeed", "Airspeed error [m/s]", _same),
+        ("error_flight_path_deg", "Path error [deg]", _same),
+        ("error_heading_deg", "Heading error [deg]", _same),
     )
     return _grid(flights, rows, reference=False)
 
@@ -82,12 +82,13 @@ def controls(flights: Flights) -> Figure:
 
 def trajectories(flights: Flights) -> Figure:
     """Figure 3: the flown paths in space."""
-    columns = by_model(flights)
+    columns, styles = by_model(flights), _styles(flights)
     with mpl.rc_context(RC):
         figure = plt.figure(figsize=(3.1 * len(columns), 3.6))
         for number, (title, members) in enumerate(columns.items()):
             axes: Any = figure.add_subplot(1, len(columns), number + 1, projection="3d")
-            for style, flight in zip(_styles(members), members, strict=True):
+            for flight in members:
+                style = styles[loop_title(flight.scenario)]
                 record = _thinned(flight.record)
                 axes.plot(
                     record["east"] / 1e3, record["north"] / 1e3, record["altitude"] / 1e3, **style
@@ -102,9 +103,9 @@ def trajectories(flights: Flights) -> Figure:
             axes.set_title(title)
             axes.set_xlabel("East [km]", labelpad=-4)
             axes.set_ylabel("North [km]", labelpad=-2)
-            axes.set_zlabel("Altitude [km]", labelpad=-4)
+            axes.set_zlabel("Altitude [km]", labelpad=-2)
             axes.tick_params(pad=-2, labelsize=6.5)
-            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=0.95)
+            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=0.82)
             axes.view_init(elev=24, azim=-60)
             axes.xaxis.set_major_locator(mpl.ticker.MaxNLocator(4))
             axes.zaxis.set_major_locator(mpl.ticker.MaxNLocator(5))
@@ -114,7 +115,7 @@ def trajectories(flights: Flights) -> Figure:
 
 def estimates(flights: Flights) -> Figure:
     """Figure 4: estimate of the thrust effectiveness, its 2-sigma band and the truth."""
-    columns = by_model(flights)
+    columns, styles = by_model(flights), _styles(flights)
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(
             2, len(columns), figsize=(3.1 * len(columns), 3.6), sharex=True, sharey="row",
@@ -123,7 +124,8 @@ def estimates(flights: Flights) -> Figure:
         for column, (title, members) in enumerate(columns.items()):
             upper, lower = grid[0, column], grid[1, column]
             upper.set_title(title)
-            for style, flight in zip(_styles(members), members, strict=True):
+            for flight in members:
+                style = styles[loop_title(flight.scenario)]
                 record = _thinned(flight.record)
                 time, truth = record["time"], record["effectiveness_thrust"]
                 estimate = record["effectiveness_thrust_est"]
@@ -149,7 +151,7 @@ def estimates(flights: Flights) -> Figure:
 
 def differences(flights: Flights) -> Figure | None:
     """What the point masses say minus what the 6-DOF aircraft did, loop by loop; None without both."""
-    pairs = model_pairs(flights)
+    pairs, styles = model_pairs(flights), _styles(flights)
     if not pairs:
         return None
     rows: tuple[tuple[str, str, Callable[[Array], Array]], ...] = (
@@ -169,7 +171,8 @@ def differences(flights: Flights) -> Figure | None:
             grid[0, column].set_title(f"{title} minus JSBSim")
             for row, (name, label, convert) in enumerate(rows):
                 axes = grid[row, column]
-                for style, (point_mass, six_dof) in zip(STYLES, couples, strict=False):
+                for point_mass, six_dof in couples:
+                    style = styles[loop_title(point_mass.scenario)]
                     count = min(point_mass.record.size, six_dof.record.size)
                     one, other = point_mass.record[:count], six_dof.record[:count]
                     difference = convert(one[name]) - convert(other[name])
@@ -225,9 +228,12 @@ def draw_all(flights: Flights, folder: Path) -> dict[str, str]:
 
 def by_model(flights: Flights) -> dict[str, list[Flight]]:
     """Flights by the title of their model, in the order flown."""
+    several = len({flight.scenario.name for flight in flights.values()}) > 1
     columns: dict[str, list[Flight]] = {}
     for flight in flights.values():
-        columns.setdefault(model_title(flight.scenario), []).append(flight)
+        title = model_title(flight.scenario)
+        title = f"{flight.scenario.name}: {title}" if several else title
+        columns.setdefault(title, []).append(flight)
     return columns
 
 
@@ -237,7 +243,7 @@ def _grid(
     reference: bool,
 ) -> Figure:
     """A column for each model, a row for each variable, a line for each loop."""
-    columns = by_model(flights)
+    columns, styles = by_model(flights), _styles(flights)
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(
             len(rows), len(columns), figsize=(3.1 * len(columns), 1.45 * len(rows) + 0.6),
@@ -247,7 +253,8 @@ def _grid(
             grid[0, column].set_title(title)
             for row, (name, label, convert) in enumerate(rows):
                 axes = grid[row, column]
-                for style, flight in zip(_styles(members), members, strict=True):
+                for flight in members:
+                    style = styles[loop_title(flight.scenario)]
                     record = _thinned(flight.record)
                     axes.plot(record["time"], convert(_column(record, name)), **style)
                 if reference:
@@ -265,18 +272,19 @@ def _grid(
 def _legend(
     figure: Figure, flights: Flights, reference: bool, reference_title: str = "reference"
 ) -> None:
-    titles = list(dict.fromkeys(loop_title(flight.scenario) for flight in flights.values()))
-    lines = [
-        mpl.lines.Line2D([], [], **STYLES[number % len(STYLES)]) for number in range(len(titles))
-    ]
+    styles = _styles(flights)
+    lines = [mpl.lines.Line2D([], [], **style) for style in styles.values()]
+    titles = list(styles)
     if reference:
         lines.append(mpl.lines.Line2D([], [], **REFERENCE))
         titles.append(reference_title)
     figure.legend(lines, titles, loc="outside lower center", ncols=len(titles))
 
 
-def _styles(members: list[Flight]) -> list[dict[str, Any]]:
-    return [STYLES[number % len(STYLES)] for number in range(len(members))]
+def _styles(flights: Flights) -> dict[str, dict[str, Any]]:
+    """A style for each loop, the same in every column and in the legend."""
+    titles = dict.fromkeys(loop_title(flight.scenario) for flight in flights.values())
+    return {title: STYLES[number % len(STYLES)] for number, title in enumerate(titles)}
 
 
 def _mark_faults(axes: Axes, members: list[Flight]) -> None:

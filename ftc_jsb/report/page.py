@@ -11,7 +11,7 @@ import markupsafe
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.metrics import Metrics, flight_metrics, passed
 from ftc_jsb.report import words
-from ftc_jsb.report.figures import draw_all, model_pairs
+from ftc_jsb.report.figures import by_model, draw_all, model_pairs
 from ftc_jsb.report.validity import compare_flights
 from ftc_jsb.scenario.load import scenario_toml
 from ftc_jsb.simulation.flight import Flight
@@ -23,9 +23,10 @@ CAPTIONS = {
     "figure2_controls": "Figure 2. Commanded thrust (what a healthy engine would deliver), load factor and "
     "bank angle.",
     "tracking_errors": "Tracking errors: true value minus reference.",
-    "figure3_trajectories": "Figure 3. Trajectories; the dot is where the fault sets in.",
+    "figure3_trajectories": "Figure 3. Trajectories; the dot is where the fault sets in. The three axes are not to one scale.",
     "figure4_effectiveness": "Figure 4. Estimate of the thrust effectiveness with its ±2σ band, and its error. "
-    "In the flights without FTC the same filter runs, but the law does not listen to it.",
+    "In the flights without FTC the same filter runs, but the law does not listen to it. With the paper's Q and R the "
+    "band is thinner than the line: it knows of no error of the drag and thrust models, and is no confidence band.",
     "differences": "Figure 5. What each point mass predicts minus what the JSBSim aircraft did, with the same "
     "outer loop.",
 }  # fmt: skip
@@ -75,6 +76,7 @@ def _contents(
         {
             "label": label,
             "model": words.model_title(flight.scenario),
+            "scenario": "" if _same_scenario(flights) else flight.scenario.name,
             "loop": words.loop_title(flight.scenario),
             "verdict": words.verdict(metrics[label]),
             "passed": passed(metrics[label]),
@@ -88,7 +90,7 @@ def _contents(
             "cells": [
                 {
                     "text": words.shown(figure, metrics[label]),
-                    "best": label in _best(figure, metrics),
+                    "best": label in _best(figure, flights, metrics),
                 }
                 for label in flights
             ],
@@ -96,8 +98,9 @@ def _contents(
         for figure in words.FIGURES
     ]
     return {
-        "title": first.title or first.name,
-        "description": first.description.strip(),
+        "title": _title(flights),
+        "description": first.description.strip() if _same_scenario(flights) else "",
+        "models": len(by_model(flights)),
         "columns": columns,
         "rows": rows,
         "summary": summary(flights, metrics),
@@ -115,6 +118,18 @@ def _contents(
         "seed": first.seed,
         "command": command,
     }  # fmt: skip
+
+
+def _same_scenario(flights: dict[str, Flight]) -> bool:
+    return len({flight.scenario.name for flight in flights.values()}) == 1
+
+
+def _title(flights: dict[str, Flight]) -> str:
+    first = next(iter(flights.values())).scenario
+    if _same_scenario(flights):
+        return first.title or first.name
+    names = list(dict.fromkeys(flight.scenario.name for flight in flights.values()))
+    return f"{len(flights)} flights of the scenarios {', '.join(names)}"
 
 
 def summary(flights: dict[str, Flight], metrics: dict[str, Metrics]) -> list[str]:
@@ -137,15 +152,27 @@ def summary(flights: dict[str, Flight], metrics: dict[str, Metrics]) -> list[str
     return sentences
 
 
-def _best(figure: words.Figure, metrics: dict[str, Metrics]) -> set[str]:
-    """Labels of the flights with the smallest value, where they differ."""
+def _best(
+    figure: words.Figure, flights: dict[str, Flight], metrics: dict[str, Metrics]
+) -> set[str]:
+    """Labels of the flights with the least value among those of the same model and scenario.
+
+    Only where the values differ as they are shown, and among flights that were completed.
+    """
     if not figure.key.startswith(("rmse", "peak_error", "effectiveness", "detection")):
         return set()
-    values = {label: m[figure.key] for label, m in metrics.items() if m[figure.key] is not None}
-    if len(set(values.values())) < 2:
-        return set()
-    least = min(values.values())
-    return {label for label, value in values.items() if value == least}
+    groups: dict[tuple[str, str], dict[str, float]] = {}
+    for label, values in metrics.items():
+        if values[figure.key] is not None and values["status"] == "complete":
+            scenario = flights[label].scenario
+            groups.setdefault((scenario.name, scenario.model), {})[label] = values[figure.key]
+    best = set()
+    for group in groups.values():
+        texts = {label: words.shown(figure, metrics[label]) for label in group}
+        least = texts[min(group, key=group.__getitem__)]
+        if len(set(texts.values())) > 1:
+            best |= {label for label, text in texts.items() if text == least}
+    return best
 
 
 def _distinct_scenarios(flights: dict[str, Flight]) -> list[dict[str, str]]:

@@ -35,6 +35,7 @@ FIGURES = (
     Figure("detection_delay_s", "Detection delay", "s", 2),
     Figure("false_alarms", "False alarms", "", 0),
     Figure("saturated_fraction", "Time at a limit", "%", 1),
+    Figure("outside_identified_fraction", "Time outside fitted range", "%", 1),
     Figure("peak_load_factor", "Peak load factor", "", 2),
     Figure("peak_bank_deg", "Peak bank", "deg", 1),
     Figure("peak_sideslip_deg", "Peak sideslip", "deg", 2),
@@ -64,7 +65,10 @@ def shown(figure: Figure, metrics: Metrics) -> str:
         return "–"
     if figure.unit == "%":
         value = 100.0 * value
-    return f"{value:.{figure.digits}f}"
+    text = f"{value:.{figure.digits}f}"
+    if float(text) == 0.0 and value != 0.0:  # say how small, not that it is nothing
+        return f"{value:.1e}"
+    return text
 
 
 def verdict(metrics: Metrics) -> str:

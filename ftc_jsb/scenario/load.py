@@ -28,6 +28,8 @@ def scenario_path(name: str) -> Path:
     path = Path(name)
     if path.is_file():
         return path
+    if path.is_dir():
+        raise ScenarioError(f"{name}: is a folder; expected the path of a scenario (.toml)")
     candidate = shipped("scenarios") / f"{name}.toml"
     if path.suffix != ".toml" and path.name == name and candidate.is_file():
         return candidate
@@ -64,7 +66,7 @@ def load_scenario(name: str, overrides: Sequence[str] = ()) -> Scenario:
     try:
         return _validated(values)
     except ValidationError as error:
-        raise ScenarioError(f"--set on {path}: {first_problem(error)}") from None
+        raise ScenarioError(f"--set on {path}: {first_problem(error, Scenario)}") from None
 
 
 def parse_scenario(text: str, source: str) -> Scenario:
@@ -78,7 +80,7 @@ def parse_scenario(text: str, source: str) -> Scenario:
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"{source}: not TOML: {error}") from None
     except ValidationError as error:
-        raise ScenarioError(f"{source}: {first_problem(error)}") from None
+        raise ScenarioError(f"{source}: {first_problem(error, Scenario)}") from None
 
 
 def scenario_toml(scenario: Scenario) -> str:

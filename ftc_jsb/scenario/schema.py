@@ -6,7 +6,7 @@ Angles are in degrees in the file (`_deg`) and in radians everywhere else; `refe
 
 from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 Model = Literal["paper", "identified", "jsbsim"]
 Channel = Literal["thrust", "load_factor", "bank_angle"]
@@ -156,10 +156,16 @@ class Sensors(_Section):
     profile: Literal["perfect"] = "perfect"
 
 
+def _still(speed: float) -> float:
+    if speed != 0.0:
+        raise ValueError(f"wind.speed: this version flies in still air; expected 0 (got {speed:g})")
+    return speed
+
+
 class Wind(_Section):
     """[wind]: still air."""
 
-    speed: float = Field(0.0, ge=0.0, le=0.0)  # m/s
+    speed: Annotated[float, AfterValidator(_still)] = 0.0  # m/s
     from_deg: float = Field(270.0, ge=0.0, le=360.0)
     turbulence: Literal["none"] = "none"
 
@@ -239,15 +245,12 @@ class Scenario(_Section):
             raise ValueError(
                 f"duration x loop.rate: {samples:g} samples; expected 2 to {LONGEST_RECORDING}"
             )
-        if self.model == "jsbsim" or "jsbsim" in self.compare.models:
-            for index, fault in enumerate(self.fault):
-                if fault.target != "thrust":
-                    models = [m for m in self.compare.models if m != "jsbsim"]
-                    raise ValueError(
-                        f"fault[{index}].target: {fault.target!r} is a channel of the point mass; "
-                        f"the jsbsim model has 'thrust'. Leave 'jsbsim' out of model and "
-                        f"compare.models (compare.models = {models})"
-                    )
+        turn = self.reference.heading_deg[0][1] - self.initial.heading_deg
+        if abs(turn) > 180.0:
+            raise ValueError(
+                f"reference.heading_deg: starts {turn:g} deg from initial.heading_deg; heading is "
+                "continuous and never wrapped: 10 deg seen from 350 is 370"
+            )
         return self
 
     @property

@@ -10,7 +10,7 @@ from ftc_jsb.scenario.schema import Scenario
 class Outcome(NamedTuple):
     """How a flight ended, when [s], and why if it was not complete."""
 
-    status: Literal["complete", "departed", "interrupted"]
+    status: Literal["complete", "departed", "failed", "interrupted"]
     time: float
     reason: str
 

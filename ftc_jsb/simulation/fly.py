@@ -13,6 +13,7 @@ from ftc_jsb.control.command_filter import command_filter, reference_step
 from ftc_jsb.control.loops import build_loop
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import effectiveness
+from ftc_jsb.errors import LoopError, ScenarioError
 from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
 from ftc_jsb.scenario.reference import raw_commands
 from ftc_jsb.scenario.schema import Scenario
@@ -40,8 +41,10 @@ def fly(
         The flight, complete or up to where it departed or was interrupted.
 
     Raises:
-        UserError: an aircraft, loop or trim that cannot be had.
+        UserError: an aircraft, loop or trim that cannot be had, or a fault that the model has not. A
+            loop that fails in flight does not raise: the flight ends there, `outcome.status` "failed".
     """
+    refuse_unflyable(scenario)
     aircraft = point_mass_of(scenario)
     fuel = scenario.aircraft.fuel_fraction
     model = aircraft.record(fuel)
@@ -74,6 +77,8 @@ def fly(
             plant.step(i)
             for observe in observers:
                 observe(record, i)
+    except LoopError as error:
+        outcome = Outcome("failed", (rows - 1) * dt, str(error))
     except KeyboardInterrupt:
         rows = max(rows - 1, 1)  # the row at hand may be half written
         outcome = Outcome("interrupted", rows * dt, "interrupted")
@@ -81,6 +86,20 @@ def fly(
         plant.close()
     elapsed = time.perf_counter() - started
     return Flight(scenario, record[:rows], outcome, rows * dt / elapsed)
+
+
+def refuse_unflyable(scenario: Scenario) -> None:
+    """See that the model can have the scenario's faults.
+
+    Raises:
+        ScenarioError: it cannot.
+    """
+    for index, fault in enumerate(scenario.fault):
+        if scenario.model == "jsbsim" and fault.target != "thrust":
+            raise ScenarioError(
+                f"fault[{index}].target: {fault.target!r} is a channel of the point masses; the model "
+                "'jsbsim' has 'thrust'"
+            )
 
 
 def point_mass_of(scenario: Scenario) -> PointMass:

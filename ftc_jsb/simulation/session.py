@@ -1,8 +1,7 @@
-"""What a command does around flights: output folders, saving as it goes, checking, listing."""
+"""What a command does around flights: saving as it goes, checking, listing."""
 
 import json
 from collections.abc import Callable, Sequence
-from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -12,7 +11,7 @@ from ftc_jsb.metrics import Metrics, flight_metrics
 from ftc_jsb.scenario.load import load_scenario, scenario_names
 from ftc_jsb.scenario.schema import Model, Scenario
 from ftc_jsb.simulation.flight import Flight
-from ftc_jsb.simulation.fly import PAPER_AIRCRAFT, Observer, fly, point_mass_of
+from ftc_jsb.simulation.fly import PAPER_AIRCRAFT, Observer, fly, point_mass_of, refuse_unflyable
 from ftc_jsb.simulation.recording import load, save
 from ftc_jsb.six_dof.aircraft import aircraft_folder, aircraft_names, load_aircraft
 
@@ -26,32 +25,6 @@ class Result(NamedTuple):
     label: str
     metrics: Metrics
     document: dict[str, Any]
-
-
-def output_folder(out: Path | None, name: str, force: bool) -> Path:
-    """Make the folder for results and see that it can be written, before anything is flown.
-
-    Args:
-        out: as given, or None for ./out/<name>-<date-time>.
-        name: of the default folder.
-        force: accept a folder that is not empty.
-
-    Raises:
-        RecordingError: the folder is not empty, or cannot be made or written.
-    """
-    folder = out or Path("out") / f"{name}-{datetime.now():%Y%m%d-%H%M%S}"
-    try:
-        if folder.exists() and not folder.is_dir():
-            raise RecordingError(f"--out {folder}: is a file; expected a folder")
-        if folder.is_dir() and any(folder.iterdir()) and not force:
-            raise RecordingError(f"--out {folder}: is not empty; give another folder, or --force")
-        folder.mkdir(parents=True, exist_ok=True)
-        probe = folder / ".ftc-jsb-write-test"
-        probe.touch()
-        probe.unlink()
-    except OSError as error:
-        raise RecordingError(f"--out {folder}: cannot be written: {error.strerror}") from None
-    return folder
 
 
 def fly_and_save(scenario: Scenario, folder: Path, watch: Watch) -> Result:
@@ -121,9 +94,9 @@ def check_scenario(scenario: Scenario) -> list[str]:
     models = dict.fromkeys((scenario.model, *scenario.compare.models))
     for model in models:
         point_mass_of(scenario.model_copy(update={"model": model}))
+        refuse_unflyable(scenario.model_copy(update={"model": model}))
         if model == "jsbsim":
-            aircraft = load_aircraft(scenario.aircraft.name)
-            lines.append(f"model {model}: {aircraft.title}")
+            lines.append(f"model {model}: {_trimmed(scenario)}, woven, loaded and trimmed")
         else:
             name = PAPER_AIRCRAFT if model == "paper" else scenario.aircraft.name
             lines.append(f"model {model}: point mass of {aircraft_folder(name).name}")
@@ -132,6 +105,18 @@ def check_scenario(scenario: Scenario) -> list[str]:
             find_loop(loop)
         lines.append(f"loop {loop}: found")
     return lines
+
+
+def _trimmed(scenario: Scenario) -> str:
+    """Weave, load and trim the aircraft of a scenario; its title."""
+    from ftc_jsb.six_dof.trim import trimmed
+    from ftc_jsb.six_dof.weaving import woven_aircraft
+
+    aircraft = load_aircraft(scenario.aircraft.name)
+    root = woven_aircraft(aircraft, scenario.aircraft.flight_control == "corrected")
+    dt = 1.0 / (scenario.loop.rate * scenario.simulation.jsbsim_steps)
+    trimmed(aircraft, root, dt, scenario.initial, scenario.aircraft.fuel_fraction)
+    return aircraft.title
 
 
 def inventory() -> dict[str, dict[str, str]]:

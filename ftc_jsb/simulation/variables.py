@@ -58,7 +58,7 @@ def _truth() -> list[Variable]:
         Variable("mach", "1", "Mach number"),
         Variable("mass", "kg", "mass"),
         Variable("alpha", "rad", "angle of attack"),
-        Variable("sideslip", "rad", "angle of sideslip"),
+        Variable("sideslip", "rad", "angle of sideslip, positive with the wind from the right"),
         Variable("roll", "rad", "Euler roll angle"),
         Variable("pitch", "rad", "Euler pitch angle"),
         Variable("yaw", "rad", "Euler yaw angle, continuous"),
@@ -66,10 +66,10 @@ def _truth() -> list[Variable]:
         Variable("pitch_rate", "rad/s", "body pitch rate"),
         Variable("yaw_rate", "rad/s", "body yaw rate"),
         Variable("throttle", "1", "throttle position: 1 military, 2 full reheat"),
-        Variable("elevator", "rad", "elevator, trailing edge down"),
-        Variable("aileron", "rad", "aileron"),
-        Variable("rudder", "rad", "rudder"),
-        Variable("flap", "rad", "leading-edge flap"),
+        Variable("elevator", "rad", "elevator, positive pitches down"),
+        Variable("aileron", "rad", "left aileron, positive rolls to the right"),
+        Variable("rudder", "rad", "rudder, positive yaws to the left"),
+        Variable("flap", "rad", "flap position that drag depends on, as aircraft.toml names it"),
         *(
             Variable(f"effectiveness_{name}", "1", f"effectiveness of {meaning}, the truth")
             for name, _, meaning in _CHANNEL
@@ -112,6 +112,9 @@ def _outer_loop() -> list[Variable]:
         Variable("bank_angle_demand", "rad", "bank angle of the law, before the response lead"),
         Variable("thrust_saturated", "1", "1 while a limit holds the thrust command"),
         Variable("load_factor_saturated", "1", "1 while a limit holds the load factor command"),
+        Variable(
+            "outside_range", "1", "1 while outside the range that the point mass was fitted in"
+        ),
         Variable("thrust_model", "N", "thrust that the loop expects of a healthy engine"),
         Variable("fault_statistic", "1", "detector statistic; a fault is declared above 1"),
         Variable("fault_declared", "1", "1 while the detector declares a fault"),

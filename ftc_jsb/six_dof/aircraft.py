@@ -106,4 +106,4 @@ def load_aircraft(name: str) -> Aircraft:
     except tomllib.TOMLDecodeError as error:
         raise AircraftError(f"{path}: not TOML: {error}") from None
     except ValidationError as error:
-        raise AircraftError(f"{path}: {first_problem(error)}") from None
+        raise AircraftError(f"{path}: {first_problem(error, Aircraft)}") from None

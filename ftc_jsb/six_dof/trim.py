@@ -54,6 +54,7 @@ def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
     jsbsim.set_logger(listener)
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
+    listener.text = ""  # the banner
     try:
         loaded = fdm.load_model_with_paths(
             aircraft.jsbsim_model,
@@ -63,11 +64,11 @@ def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
             True,
         )
     except Exception as error:
-        raise AircraftError(
-            f"aircraft {aircraft.name!r}: JSBSim: {error} {listener.text}"
-        ) from None
+        said = " ".join(f"{error} {listener.text}".split())[:400]
+        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim: {said}") from None
     if not loaded:
-        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim cannot load it: {listener.text}")
+        said = " ".join(listener.text.split())[:400]
+        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim cannot load it: {said}")
     fdm.set_dt(dt)
     return fdm
 
@@ -141,13 +142,16 @@ def _check_hold(aircraft: Aircraft, fdm: Any, initial: Initial) -> None:
 
 
 def _failure(aircraft: Aircraft, fdm: Any, initial: Initial, what: str) -> str:
+    units = {"udot-ft_sec2": FOOT, "vdot-ft_sec2": FOOT, "wdot-ft_sec2": FOOT}
+    units |= {"pdot-rad_sec2": 1.0, "qdot-rad_sec2": 1.0, "rdot-rad_sec2": 1.0}
     residuals = ", ".join(
-        f"{name} {fdm[f'accelerations/{name}']:.3g}"
-        for name in ("udot-ft_sec2", "vdot-ft_sec2", "wdot-ft_sec2", "pdot-rad_sec2", "qdot-rad_sec2",
-                     "rdot-rad_sec2")
-    )  # fmt: skip
+        f"{name.split('-')[0]} {fdm[f'accelerations/{name}'] * factor:.3g} "
+        + ("m/s2" if factor == FOOT else "rad/s2")
+        for name, factor in units.items()
+    )
     return (
         f"aircraft {aircraft.name!r}: no trim at {initial.airspeed:g} m/s, {initial.altitude:g} m, "
-        f"flight path {initial.flight_path_deg:g} deg: {what.strip()}. Residuals: {residuals}; "
-        f"throttle {fdm['fcs/throttle-cmd-norm']:.2f}, alpha {fdm['aero/alpha-deg']:.2f} deg"
+        f"flight path {initial.flight_path_deg:g} deg: {' '.join(what.split())}. Residuals: {residuals}; "
+        f"throttle {fdm['fcs/throttle-cmd-norm']:.2f}, alpha {fdm['aero/alpha-deg']:.1f} deg. "
+        f"It was tested from {aircraft.flight_test.airspeed[0]:g} to {aircraft.flight_test.airspeed[1]:g} m/s"
     )

@@ -63,8 +63,8 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
             except OSError:
                 if not target.is_dir():  # another process was first: its copy is the same
                     raise
-    except PermissionError as error:
-        raise AircraftError(f"{error.filename}: cannot write the woven aircraft there") from None
+    except OSError as error:
+        raise AircraftError(f"{cache}: cannot write the woven aircraft there: {error}") from None
     return target
 
 

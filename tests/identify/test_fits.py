@@ -19,6 +19,7 @@ from ftc_jsb.point_mass.drag import measured_drag_coefficient
 from ftc_jsb.point_mass.parameters import load_point_mass
 from ftc_jsb.simulation.variables import ROW
 from ftc_jsb.six_dof.aircraft import load_aircraft
+from tests.point_mass.models import polar_and_alpha
 
 F16 = load_aircraft("f16")
 
@@ -85,4 +86,26 @@ def test_shipped_point_mass_tells_the_drag_of_an_unseen_flight():
     told = shipped.identification
     assert told["residual_drag_polar_percent"] <= 1.5
     assert told["residual_drag_angles_percent"] <= 0.3
-    assert {"date", "jsbsim", "mach_range", "altitude_range_m", "flights_held_out"} <= set(told)
+    assert {"date", "jsbsim", "flights", "flights_held_out"} <= set(told)
+    assert shipped.valid is not None
+
+
+def test_shipped_point_mass_is_an_aircraft_everywhere_in_its_range():
+    """Over the whole box of Mach and C_L that the file calls valid: drag above zero, alpha rising with C_L.
+
+    Corners of the box that no flight reaches are extrapolated; they must still be flyable.
+    """
+    shipped = load_point_mass(F16.folder)
+    assert shipped.valid is not None
+    model = shipped.record(0.43)
+    (low, high), (least, most) = shipped.valid.mach, shipped.valid.lift_coefficient
+    for mach in np.linspace(low, high, 40):
+        airspeed = mach * 328.58  # [m/s], speed of sound at 3048 m
+        values = np.array(
+            [
+                polar_and_alpha(model, airspeed, 3048.0, lift)
+                for lift in np.linspace(least, most, 60)
+            ]
+        )
+        assert values[:, 0].min() > 0.015
+        assert np.diff(values[:, 1]).min() > 0.0

@@ -4,7 +4,7 @@ from typing import Any
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import airspeed_row, control_law
-from ftc_jsb.point_mass.drag import drag_coefficient, drag_slope
+from ftc_jsb.point_mass.drag import angle_of_attack, drag_coefficient, drag_slope
 from ftc_jsb.point_mass.dynamics import derivatives, level_trim_thrust, polar_drag
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.parameters import load_point_mass
@@ -32,6 +32,12 @@ def drag(model: Any, v: float, h: float, thrust: float, n: float) -> float:
 def polar(model: Any, v: float, h: float, lift: float) -> Any:
     at = at_condition(model[0], v, h)
     return drag_coefficient(at, lift), drag_slope(at, lift)
+
+
+@compiled
+def polar_and_alpha(model: Any, v: float, h: float, lift: float) -> Any:
+    at = at_condition(model[0], v, h)
+    return drag_coefficient(at, lift), angle_of_attack(at, lift)
 
 
 @compiled

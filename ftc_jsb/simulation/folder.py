@@ -1,0 +1,44 @@
+"""Folders for results: seen to be writable before anything is flown, gone again if nothing was."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import datetime
+from pathlib import Path
+
+from ftc_jsb.errors import RecordingError
+
+
+@contextmanager
+def output_folder(out: Path | None, name: str, force: bool) -> Iterator[Path]:
+    """A folder that can be written. If the work in it fails and leaves nothing, it is removed.
+
+    Args:
+        out: as given, or None for ./out/<name>-<date-time>.
+        name: of the default folder.
+        force: accept a folder that is not empty.
+
+    Raises:
+        RecordingError: the folder is not empty, or cannot be made or written.
+    """
+    folder = out or Path("out") / f"{name}-{datetime.now():%Y%m%d-%H%M%S}"
+    made = not folder.exists()
+    _prepare(folder, force)
+    try:
+        yield folder
+    finally:
+        if made and not any(folder.iterdir()):
+            folder.rmdir()
+
+
+def _prepare(folder: Path, force: bool) -> None:
+    try:
+        if folder.exists() and not folder.is_dir():
+            raise RecordingError(f"--out {folder}: is a file; expected a folder")
+        if folder.is_dir() and any(folder.iterdir()) and not force:
+            raise RecordingError(f"--out {folder}: is not empty; give another folder, or --force")
+        folder.mkdir(parents=True, exist_ok=True)
+        probe = folder / ".ftc-jsb-write-test"
+        probe.touch()
+        probe.unlink()
+    except OSError as error:
+        raise RecordingError(f"--out {folder}: cannot be written: {error.strerror}") from None
