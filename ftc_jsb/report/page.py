@@ -18,18 +18,20 @@ from ftc_jsb.simulation.flight import Flight
 from ftc_jsb.simulation.recording import versions
 
 CAPTIONS = {
-    "figure1_states": "Figure 1. Airspeed, flight path angle and heading, with the references from the "
-    "command filter.",
-    "figure2_controls": "Figure 2. Commanded thrust (what a healthy engine would deliver), load factor and "
-    "bank angle.",
+    "figure1_states": """Figure 1. Airspeed, flight path angle and heading, with the references from the
+    command filter.""",
+    "figure2_controls": """Figure 2. Commanded thrust (what a healthy engine would deliver), load factor and
+    bank angle.""",
     "tracking_errors": "Tracking errors: true value minus reference.",
-    "figure3_trajectories": "Figure 3. Trajectories; the dot is where the fault sets in. The three axes are not to one scale.",
-    "figure4_effectiveness": "Figure 4. Estimate of the thrust effectiveness with its ±2σ band, and its error. "
-    "In the flights without FTC the same filter runs, but the law does not listen to it. With the paper's Q and R the "
-    "band is thinner than the line: it knows of no error of the drag and thrust models, and is no confidence band.",
-    "differences": "Figure 5. What each point mass predicts minus what the JSBSim aircraft did, with the same "
-    "outer loop.",
-}  # fmt: skip
+    "figure3_trajectories": """Figure 3. Trajectories; the dot is where the fault sets in. The three axes are
+    not to one scale.""",
+    "figure4_effectiveness": """Figure 4. Estimate of the thrust effectiveness with its ±2σ band, and its
+    error. In the flights without FTC the same filter runs, but the law does not listen to it. With the
+    paper's Q and R the band is thinner than the line: it knows of no error of the drag and thrust models,
+    and is no confidence band.""",
+    "differences": """Figure 5. What each point mass predicts minus what the JSBSim aircraft did, with the
+    same outer loop.""",
+}
 
 
 def write_report(flights: dict[str, Flight], folder: Path, command: str) -> dict[str, Metrics]:
@@ -100,7 +102,6 @@ def _contents(
     return {
         "title": _title(flights),
         "description": first.description.strip() if _same_scenario(flights) else "",
-        "models": len(by_model(flights)),
         "columns": columns,
         "rows": rows,
         "summary": summary(flights, metrics),
@@ -110,7 +111,12 @@ def _contents(
             for one, other in couples
         ],
         "figures": [
-            {"name": name, "svg": _inline(text, name), "caption": CAPTIONS[name]}
+            {
+                "name": name,
+                "svg": _inline(text, name),
+                "caption": CAPTIONS[name],
+                "columns": len(model_pairs(flights) if name == "differences" else by_model(flights)),
+            }
             for name, text in drawings.items()
         ],
         "scenarios": _distinct_scenarios(flights),

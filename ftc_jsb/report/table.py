@@ -9,13 +9,13 @@ COLUMNS = (
     "rmse_heading_deg",
     "effectiveness_thrust_error_max",
     "detection_delay_s",
-    "saturated_fraction",
 )  # what fits beside each other on 80 columns; the report has the rest
-HEADINGS = ("V [m/s]", "path [deg]", "heading [deg]", "k error", "found [s]", "limit [%]")
+HEADINGS = ("V\n[m/s]", "path\n[deg]", "heading\n[deg]", "k error", "found\n[s]")
 
 
 def print_table(metrics: dict[str, Metrics]) -> None:
     """Print one flight as a column of numbers, several as a row each."""
+    from rich.box import SIMPLE_HEAD
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
@@ -34,11 +34,12 @@ def print_table(metrics: dict[str, Metrics]) -> None:
         table.add_section()
         table.add_row("Verdict", *verdicts)
     else:
-        table = Table(title="RMSE of V, path and heading; largest error of the effectiveness k")
+        title = "RMSE of V, path and heading; largest error of the effectiveness k"
+        table = Table(title=title, box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
         table.add_column("flight", no_wrap=True)
         for heading in HEADINGS:
             table.add_column(Text(heading), justify="right")
-        table.add_column("verdict")
+        table.add_column("verdict", no_wrap=True)
         chosen = {figure.key: figure for figure in FIGURES}
         for (label, values), word in zip(metrics.items(), verdicts, strict=True):
             table.add_row(label, *(shown(chosen[key], values) for key in COLUMNS), word)

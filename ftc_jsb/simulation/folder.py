@@ -28,6 +28,8 @@ def output_folder(out: Path | None, name: str, force: bool) -> Iterator[Path]:
     finally:
         if made and not any(folder.iterdir()):
             folder.rmdir()
+            if out is None and not any(folder.parent.iterdir()):
+                folder.parent.rmdir()
 
 
 def _prepare(folder: Path, force: bool) -> None:

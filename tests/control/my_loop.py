@@ -50,3 +50,24 @@ class ExplodingLoop(MyLoop):
 
     def step(self, time: float, measurement: Measurement, reference: Reference) -> Command:
         return Command(0.0, -3.0 if time > 1.0 else 1.0, 0.0)
+
+
+class TextLoop(MyLoop):
+    """A text for a number."""
+
+    def step(self, time, measurement, reference):
+        return Command("lots", 1.0, 0.0)
+
+
+class NanLoop(MyLoop):
+    """Loses a number on the way."""
+
+    def step(self, time, measurement, reference):
+        return Command(40e3, 1.0, math.nan if time > 3.0 else 0.0)
+
+
+class WrongEstimateLoop(MyLoop):
+    """Writes where it must not."""
+
+    def step(self, time, measurement, reference):
+        return Command(40e3, 1.0, 0.0, {"airspeed": 3.0})

@@ -16,8 +16,16 @@ from ftc_jsb.scenario.schema import Scenario
 PAPER = (shipped("scenarios") / "paper.toml").read_text(encoding="utf-8")
 
 
-def test_six_scenarios_are_shipped():
-    assert scenario_names() == ["intermittent", "nominal", "paper", "ramp", "severe", "total-loss"]
+def test_seven_scenarios_are_shipped():
+    assert scenario_names() == [
+        "helix",
+        "intermittent",
+        "nominal",
+        "paper",
+        "ramp",
+        "severe",
+        "total-loss",
+    ]
 
 
 @pytest.mark.parametrize("name", scenario_names())
@@ -62,7 +70,11 @@ def test_paper_scenario_is_section_5():
         ("fault[0].shape=ramp", "a fault of shape 'ramp' needs the key 'rise'"),
         ("fault[0].rise=3", "a fault of shape 'step' does not take the key 'rise'"),
         ("fault[0].end=10", "end must be later than start"),
-        ("fault[0].target=bank_angle", "channel of the point mass"),
+        ("reference.heading_deg=[[0,350]]", "heading is continuous and never wrapped"),
+        ("wind.speed=5", "wind.speed: this version flies in still air"),
+        ("loop.gains=1", "loop.gains: expected a list"),
+        ("loop=3", "loop: expected a section"),
+        ("duraton=3", "unknown key 'duraton'; did you mean 'duration'?"),
         ("reference.heading_deg=[[0,0],[0,1]]", "times must increase"),
         ("reference.heading_deg=[]", "reference.heading_deg"),
         ("reference.airspeed=[[0,9000]]", "reference.airspeed: 9000.0 at 0.0 s is outside"),
@@ -116,8 +128,10 @@ def test_override_reaches_every_level():
 def test_file_that_is_not_there_not_toml_or_no_text(tmp_path: Path):
     with pytest.raises(ScenarioError, match="no such file"):
         load_scenario(str(tmp_path / "none.toml"))
-    with pytest.raises(ScenarioError, match="shipped are intermittent, nominal, paper"):
+    with pytest.raises(ScenarioError, match="shipped are helix, intermittent, nominal"):
         load_scenario("papre")
+    with pytest.raises(ScenarioError, match="is a folder"):
+        load_scenario(str(tmp_path))
     bad = tmp_path / "bad.toml"
     bad.write_text("duration = = 3")
     with pytest.raises(ScenarioError, match=r"bad\.toml: not TOML"):

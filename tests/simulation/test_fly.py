@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from ftc_jsb.errors import ScenarioError
 from ftc_jsb.metrics import flight_metrics, passed
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
@@ -187,7 +188,6 @@ def test_three_channels_at_once_are_estimated(flown):
         "loop.estimator.process_noise=[1e-10,1e-10,1e-10,1e-8,1e-8,1e-8]",
         "loop.estimator.measurement_noise=[1e-10,1e-10,1e-10]",
         "loop.estimator.initial_covariance=[1e-6,1e-8,1e-6,1e-4,1e-4,1e-4]",
-        "compare.models=['paper']",
     )
     faults = (
         "fault=[{effectiveness=0.7,start=6},{target='load_factor',effectiveness=0.8,start=6},"
@@ -199,3 +199,33 @@ def test_three_channels_at_once_are_estimated(flown):
         assert row[f"effectiveness_{channel}"] == pytest.approx(truth)
         assert row[f"effectiveness_{channel}_est"] == pytest.approx(truth, abs=0.02)
     assert flight.outcome.status == "complete"
+
+
+def test_fault_that_the_model_cannot_have_is_refused():
+    """The point mass has a bank channel to lose, the JSBSim aircraft has not."""
+    lost = "fault=[{target='bank_angle',effectiveness=0.8,start=6}]"
+    assert fly(load_scenario("paper", [lost, "duration=1"])).outcome.status == "complete"
+    with pytest.raises(ScenarioError, match="'bank_angle' is a channel of the point masses"):
+        fly(load_scenario("paper", [lost, JSBSIM]))
+
+
+@pytest.mark.parametrize(("model", "most"), [("paper", 2.0), ("identified", 2.0), ("jsbsim", 20.0)])
+def test_path_loop_tracks_a_climbing_helix_through_a_loss_of_thrust(flown, model, most):
+    """RMS distance from the path: 2 m on the point masses, 20 m on the F-16, over all 120 s."""
+    metrics = flight_metrics(flown("helix", f"model={model}"))
+    assert passed(metrics)
+    assert metrics["rmse_position_m"] <= most
+    velocity_loop = flight_metrics(flown("helix", f"model={model}", "loop.name=ftc"))
+    assert metrics["rmse_position_m"] < 0.5 * velocity_loop["rmse_position_m"]
+
+
+def test_flight_outside_the_identified_range_says_so(flown):
+    """A push to -1.5 g and a climb past the tested altitudes; the paper's aircraft has no range."""
+    inside = flight_metrics(flown("paper", JSBSIM))
+    assert inside["outside_identified_fraction"] == 0.0
+    high = ("initial.altitude=11000", "initial.airspeed=270", "reference.airspeed=[[0,270]]")
+    quiet = ("reference.heading_deg=[[0,0]]", "duration=5")
+    outside = flight_metrics(flown("nominal", "model=identified", *high, *quiet))
+    assert outside["outside_identified_fraction"] == 1.0
+    paper = flight_metrics(flown("nominal", *high, *quiet))
+    assert paper["outside_identified_fraction"] == 0.0
