@@ -1,7 +1,6 @@
 """The command line as a user meets it: files, exit codes, messages, interruption."""
 
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -135,20 +134,30 @@ def test_own_loop_and_own_scenario_are_found_from_the_working_folder(tmp_path):
 
 
 def test_ctrl_c_saves_what_was_flown_and_exits_130(tmp_path):
-    """SIGINT into a long flight; the recording is readable and says that it was interrupted."""
-    warm = ("--model", "jsbsim", "--set", "duration=1")
-    run("fly", "nominal", *warm, "--out", "warm", cwd=tmp_path)  # kernels are compiled now
+    """SIGINT into a long flight; the recording is readable and says that it was interrupted.
+
+    The loop leaves a file behind at 10 s of flight, so that the signal comes in flight.
+    """
+    template = (Path(__file__).parent / "control" / "my_loop.py").read_text()
+    (tmp_path / "mine.py").write_text(
+        template
+        + "\n\nclass Tells(MyLoop):\n"
+        + "    def step(self, time, measurement, reference):\n"
+        + "        if time == 10.0:\n            open('flying', 'w').close()\n"
+        + "        return super().step(time, measurement, reference)\n"
+    )
     process = subprocess.Popen(
-        [sys.executable, "-m", "ftc_jsb", "fly", "nominal", "--model", "jsbsim", "--out", "o",
-         "--set", "duration=20000"],
+        [sys.executable, "-m", "ftc_jsb", "fly", "nominal", "--loop", "mine:Tells", "--out", "o",
+         "--set", "duration=30000"],
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        env={**os.environ, "PYTHONUNBUFFERED": "1"},
     )  # fmt: skip
-    time.sleep(6.0)
+    deadline = time.monotonic() + 90.0
+    while not (tmp_path / "flying").exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate(timeout=60)
     assert process.returncode == 130, errors
     assert "Traceback" not in errors
     flight = load(tmp_path / "o" / "flight.nc")
     assert flight.outcome.status == "interrupted"
-    assert 100 < flight.record.size < 2_000_000
+    assert 1000 < flight.record.size < 3_000_000
