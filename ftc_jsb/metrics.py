@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.disturbance.faults import fault_steps
+from ftc_jsb.scenario.schema import Channel
 from ftc_jsb.simulation.flight import Flight
 from ftc_jsb.simulation.limits import broken_limits, tracking_errors
 
@@ -29,6 +30,10 @@ def flight_metrics(flight: Flight) -> Metrics:
         **_tracking(record),
         **_estimation(record),
         **_detection(record),
+        "unobservable_fraction": {
+            channel: float(np.mean(unobservable(flight, channel)))
+            for channel in flight.scenario.loop.estimator.channels
+        },
         **_effort(record),
         "real_time_factor": flight.real_time_factor,
         "limits_broken": [
@@ -88,6 +93,22 @@ def _estimation(record: npt.NDArray[Any]) -> Metrics:
         f"{name}_p95": float(np.percentile(error, 95.0)),
         f"{name}_max": _peak(error),
     }
+
+
+def unobservable(flight: Flight, channel: Channel) -> npt.NDArray[np.bool_]:
+    """(rows,): samples at which the measurements tell nothing of a channel's effectiveness.
+
+    Without information the variance grows by the channel's Q at every step. A channel counts as not
+    observable where its variance has grown by more than half of that over the last half second.
+    """
+    estimator, record = flight.scenario.loop.estimator, flight.record
+    variance = record[f"effectiveness_{channel}_std"] ** 2
+    steps = max(round(0.5 * flight.scenario.loop.rate), 1)
+    noise = estimator.process_noise[3 + estimator.channels.index(channel)]
+    result = np.zeros(record.size, dtype=bool)
+    if record.size > steps:
+        result[steps:] = variance[steps:] - variance[:-steps] > 0.5 * steps * noise
+    return result
 
 
 def _detection(record: npt.NDArray[Any]) -> Metrics:

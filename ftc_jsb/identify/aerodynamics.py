@@ -73,6 +73,14 @@ def mach_knots(values: Array, breaks: Sequence[float]) -> Array:
     return np.sort(np.concatenate([regular[np.array(near) > 2.0 * BREAK_WIDTH], pairs]))
 
 
+def between(data: Sample, mach: Array, lift: Array | None = None) -> Sample:
+    """The samples between the outermost knots: those beyond would be laid to the charge of the ends."""
+    use = (data.mach >= mach[0]) & (data.mach <= mach[-1])
+    if lift is not None:
+        use &= (data.lift >= lift[0]) & (data.lift <= lift[-1])
+    return Sample(*(column[use] for column in data))
+
+
 def _parabolas(values: Array, terms: int) -> Array:
     return np.stack([values**power for power in range(terms)], axis=1)
 
@@ -106,6 +114,7 @@ def _polar_design(data: Sample, mach: Array, lift: Array) -> Array:
 def fit_polar(data: Sample, breaks: Sequence[float]) -> Polar:
     """C_D(C_L, Mach), least squares of the relative residual."""
     mach, lift = mach_knots(data.mach, breaks), knots(data.lift, LIFT_STEP)
+    data = between(data, mach, lift)
     m, n = len(mach), len(lift)
     level = 1.0 / np.mean(data.drag)
     parabola_part = np.hstack([rough(m, 3), np.zeros((max(m - 2, 0) * 3, m * n))])
@@ -121,6 +130,7 @@ def fit_polar(data: Sample, breaks: Sequence[float]) -> Polar:
 
 def fit_alpha(data: Sample, mach: Array) -> Array:
     """Angle of attack [rad] over (Mach, powers 0..3 of C_L): (mach, 4)."""
+    data = between(data, mach)
     design = product(hats(data.mach, mach), _parabolas(data.lift, 4))
     weight = np.full(len(data.alpha), 1.0 / np.radians(1.0))
     penalty = 100.0 * SMOOTH / np.radians(1.0) * 1e-2 * rough(len(mach), 4)
@@ -170,6 +180,7 @@ def _angles_design(data: Sample, mach: Array, alpha: Array, elevator: Array) -> 
 def fit_angles_drag(data: Sample, breaks: Sequence[float]) -> AnglesDrag:
     """C_D from Mach, alpha, elevator, pitch rate, flap and sideslip, relative residual."""
     mach, alpha = mach_knots(data.mach, breaks), knots_to_the_ends(data.alpha, ALPHA_STEP)
+    data = between(data, mach)
     elevator = knots_to_the_ends(data.elevator, ELEVATOR_STEP)
     m, n, k = len(mach), len(alpha), len(elevator)
     sizes = np.cumsum([m * n, n * k, n, 1, 1])

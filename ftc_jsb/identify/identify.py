@@ -112,8 +112,8 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
             "bank_acceleration_max": round(bank.acceleration_max, 2),
         },
         "valid": {
-            "mach": _range(data.mach),
-            "lift_coefficient": _range(data.lift),
+            "mach": _range(polar.mach),
+            "lift_coefficient": _range(polar.lift),
             "altitude": _range(np.concatenate([record["altitude"] for record in fitted])),
         },
         "identification": {

@@ -11,8 +11,10 @@ import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ftc_jsb.disturbance.faults import fault_steps
+from ftc_jsb.disturbance.faults import CHANNELS, fault_steps
+from ftc_jsb.metrics import unobservable
 from ftc_jsb.report.words import loop_title, model_title
+from ftc_jsb.scenario.schema import Channel
 from ftc_jsb.simulation.flight import Flight
 from ftc_jsb.simulation.limits import tracking_errors
 
@@ -28,6 +30,7 @@ STYLES: tuple[dict[str, Any], ...] = (
     {"color": "#56B4E9", "linestyle": (0, (2, 1))},
 )
 REFERENCE: dict[str, Any] = {"color": "#222222", "linestyle": "-", "linewidth": 0.7}
+CHANNEL_TITLES = {"thrust": "Thrust", "load_factor": "Load factor", "bank_angle": "Bank angle"}
 POINTS = 1500  # of a line; more cannot be seen
 
 RC: dict[Any, Any] = {
@@ -113,9 +116,13 @@ def trajectories(flights: Flights) -> Figure:
     return figure
 
 
-def estimates(flights: Flights) -> Figure:
-    """Figure 4: estimate of the thrust effectiveness, its 2-sigma band and the truth."""
+def estimates(flights: Flights, channel: Channel = "thrust") -> Figure:
+    """Figure 4: estimate of a channel's effectiveness, its 2-sigma band, the truth, and the error.
+
+    Grey where the channel is not observable.
+    """
     columns, styles = by_model(flights), _styles(flights)
+    name = f"effectiveness_{channel}"
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(
             2, len(columns), figsize=(3.1 * len(columns), 3.6), sharex=True, sharey="row",
@@ -127,9 +134,8 @@ def estimates(flights: Flights) -> Figure:
             for flight in members:
                 style = styles[loop_title(flight.scenario)]
                 record = _thinned(flight.record)
-                time, truth = record["time"], record["effectiveness_thrust"]
-                estimate = record["effectiveness_thrust_est"]
-                band = 2.0 * record["effectiveness_thrust_std"]
+                time, truth = record["time"], record[name]
+                estimate, band = record[f"{name}_est"], 2.0 * record[f"{name}_std"]
                 upper.plot(time, truth, **REFERENCE)
                 if not np.isfinite(estimate).any():
                     continue
@@ -140,13 +146,31 @@ def estimates(flights: Flights) -> Figure:
                 lower.plot(time, estimate - truth, **style)
             for axes in (upper, lower):
                 _mark_faults(axes, members)
+                _mark_unobservable(axes, members[0], channel)
             lower.set_xlabel("Time [s]")
-        grid[0, 0].set_ylabel("Thrust effectiveness [-]")
+        grid[0, 0].set_ylabel(f"{CHANNEL_TITLES[channel]} effectiveness [-]")
         grid[1, 0].set_ylabel("Error [-]")
         for axes in grid[1]:
             axes.set_ylim(-0.05, 0.05)
         _legend(figure, flights, reference=True, reference_title="true")
     return figure
+
+
+def _mark_unobservable(axes: Axes, flight: Flight, channel: Channel) -> None:
+    """Grey bands, named, where the measurements tell nothing of the channel."""
+    if channel not in flight.scenario.loop.estimator.channels:
+        return
+    hidden = unobservable(flight, channel)
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], hidden.astype(int), [0]])))
+    time = flight.record["time"]
+    for start, end in zip(edges[::2], edges[1::2], strict=True):
+        left, right = time[start], time[end - 1]
+        axes.axvspan(left, right, color="#bbbbbb", alpha=0.35, lw=0)
+        if right - left > 5.0:
+            axes.annotate(
+                "not observable here", ((left + right) / 2.0, 0.04), xycoords=("data", "axes fraction"),
+                ha="center", fontsize=6.5, color="#555555",
+            )  # fmt: skip
 
 
 def differences(flights: Flights) -> Figure | None:
@@ -205,12 +229,13 @@ def model_pairs(flights: Flights) -> dict[str, list[tuple[Flight, Flight]]]:
 def draw_all(flights: Flights, folder: Path) -> dict[str, str]:
     """Draw every figure into `folder` as SVG, PNG and PDF; returns the SVG text by name."""
     folder.mkdir(exist_ok=True)
-    drawn = {
+    drawn: dict[str, Figure | None] = {
         "figure1_states": states(flights),
         "figure2_controls": controls(flights),
         "tracking_errors": tracking(flights),
         "figure3_trajectories": trajectories(flights),
         "figure4_effectiveness": estimates(flights),
+        **_other_channels(flights),
         "differences": differences(flights),
     }
     texts = {}
@@ -224,6 +249,16 @@ def draw_all(flights: Flights, folder: Path) -> dict[str, str]:
         plt.close(figure)
         texts[name] = (folder / f"{name}.svg").read_text(encoding="utf-8")
     return texts
+
+
+def _other_channels(flights: Flights) -> dict[str, Figure]:
+    """Figure 4 again for each further channel that a flight estimates."""
+    channels = {c for f in flights.values() for c in f.scenario.loop.estimator.channels}
+    return {
+        f"figure4_{channel}": estimates(flights, channel)
+        for channel in CHANNELS[1:]
+        if channel in channels
+    }
 
 
 def by_model(flights: Flights) -> dict[str, list[Flight]]:

@@ -29,6 +29,8 @@ CAPTIONS = {
     error. In the flights without FTC the same filter runs, but the law does not listen to it. With the
     paper's Q and R the band is thinner than the line: it knows of no error of the drag and thrust models,
     and is no confidence band.""",
+    "figure4_load_factor": "Figure 4 for the load factor. Grey: not observable there.",
+    "figure4_bank_angle": "Figure 4 for the bank angle. Grey: not observable there.",
     "differences": """Figure 5. What each point mass predicts minus what the JSBSim aircraft did, with the
     same outer loop.""",
 }
