@@ -44,6 +44,7 @@ def consistency(
     dt: float,
     flights: int,
     seed: int,
+    believed: float = 1.0,
 ) -> Consistency:
     """Fly the filter's own model with its own noise, and see whether its covariance is the truth.
 
@@ -60,6 +61,7 @@ def consistency(
         dt: sample time [s].
         flights: how many.
         seed: of the noise.
+        believed: what the filter takes R for, as a multiple of the truth; 1 is consistent.
     """
     from scipy.stats import chi2
 
@@ -78,7 +80,7 @@ def consistency(
         filters["covariance"][0, :size, :size] = np.diag(initial_covariance)
         walk = random.standard_normal((len(inputs), 6)) * np.sqrt(q)
         noise = random.standard_normal((len(inputs), OUTPUTS)) * np.sqrt(r)
-        _fly(model, filters, truth, inputs, altitude, walk, noise, q, r, dt, nees, nis)
+        _fly(model, filters, truth, inputs, altitude, walk, noise, q, believed * r, dt, nees, nis)
     low, high = (1.0 - BAND) / 2.0, (1.0 + BAND) / 2.0
     bands = [
         (
