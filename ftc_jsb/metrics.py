@@ -28,10 +28,12 @@ def flight_metrics(flight: Flight) -> Metrics:
         "end_time_s": float(flight.outcome.time),
         "reason": flight.outcome.reason,
         **_tracking(record),
-        **_estimation(record),
+        **_estimation(flight),
         **_detection(record),
         "unobservable_fraction": {
-            channel: float(np.mean(unobservable(flight, channel)))
+            channel: _part(
+                unobservable(flight, channel), flight.record[f"effectiveness_{channel}_std"]
+            )
             for channel in flight.scenario.loop.estimator.channels
         },
         **_effort(record),
@@ -70,21 +72,23 @@ def _distance(record: npt.NDArray[Any]) -> npt.NDArray[np.float64]:
     return np.asarray(np.sqrt(square))
 
 
-def judged(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
+def judged(flight: Flight) -> npt.NDArray[np.bool_]:
     """(rows,): samples at which the effectiveness estimate is judged.
 
     Not the first 2 s, nor 2 s after a step of the true effectiveness.
     """
+    record = flight.record
     time = record["time"]
     use = np.asarray(time >= SETTLING)
-    for step in fault_steps(record["effectiveness_thrust"]):
+    for step in fault_steps(record["effectiveness_thrust"], flight.scenario):
         use &= ~((time >= time[step]) & (time < time[step] + SETTLING))
     return use
 
 
-def _estimation(record: npt.NDArray[Any]) -> Metrics:
+def _estimation(flight: Flight) -> Metrics:
+    record = flight.record
     error = record["effectiveness_thrust_est"] - record["effectiveness_thrust"]
-    error = np.abs(error[judged(record) & np.isfinite(error)])
+    error = np.abs(error[judged(flight) & np.isfinite(error)])
     name = "effectiveness_thrust_error"
     if error.size == 0:
         return {f"{name}_rms": None, f"{name}_p95": None, f"{name}_max": None}
@@ -116,14 +120,14 @@ def _detection(record: npt.NDArray[Any]) -> Metrics:
     declared = record["fault_declared"] > 0.5
     faulty = np.flatnonzero(truth < HEALTHY)
     estimates = bool(np.isfinite(record["effectiveness_thrust_est"]).any())
+    onsets = np.flatnonzero(np.diff(declared.astype(int), prepend=0) == 1)
     delay = None
     if faulty.size and estimates:
-        after = np.flatnonzero(declared & (time >= time[faulty[0]]))
+        after = onsets[onsets >= faulty[0]]
         delay = float(time[after[0]] - time[faulty[0]]) if after.size else None
     recently = np.array(truth < HEALTHY)  # faulty now, or less than SETTLING ago
     for end in np.flatnonzero(np.diff(recently.astype(int)) == -1) + 1:
         recently |= (time >= time[end]) & (time < time[end] + SETTLING)
-    onsets = np.flatnonzero(np.diff(declared.astype(int), prepend=0) == 1)
     return {
         "detection_delay_s": delay,
         "false_alarms": int(np.sum(~recently[onsets])) if estimates else None,
@@ -135,8 +139,10 @@ def _effort(record: npt.NDArray[Any]) -> Metrics:
     duration = record["time"][-1] - record["time"][0]
     travel = np.nansum(np.abs(np.diff(record["thrust_cmd"])))
     return {
-        "saturated_fraction": float(np.mean(saturated)),
-        "outside_identified_fraction": float(np.nanmean(record["outside_range"])),
+        "saturated_fraction": _part(saturated, record["thrust_saturated"]),
+        "outside_identified_fraction": _part(
+            record["outside_range"] > 0.5, record["outside_range"]
+        ),
         "thrust_travel_n_per_s": float(travel / duration) if duration > 0.0 else 0.0,
         "peak_thrust_n": _peak(record["thrust"]),
         "peak_load_factor": _peak(record["load_factor"]),
@@ -144,6 +150,12 @@ def _effort(record: npt.NDArray[Any]) -> Metrics:
         "peak_alpha_deg": _peak(np.degrees(record["alpha"])),
         "peak_sideslip_deg": _peak(np.degrees(record["sideslip"])),
     }
+
+
+def _part(where: npt.NDArray[np.bool_], known: npt.NDArray[np.float64]) -> float | None:
+    """Part of the samples at which something holds, of those at which it is known at all."""
+    told = np.isfinite(known)
+    return float(np.mean(where[told])) if told.any() else None
 
 
 def _rms(values: npt.NDArray[Any]) -> float | None:

@@ -1,12 +1,14 @@
 """Metrics on recordings made by hand, where every number is known."""
 
+import json
+
 import numpy as np
 import pytest
 
-from ftc_jsb.metrics import flight_metrics, judged, passed
+from ftc_jsb.metrics import flight_metrics, judged, passed, unobservable
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.flight import Flight, Outcome
-from ftc_jsb.simulation.fly import blank_recording
+from ftc_jsb.simulation.fly import blank_recording, fly
 
 SCENARIO = load_scenario("paper", ["limits={}"])
 
@@ -40,7 +42,7 @@ def test_estimate_is_judged_outside_the_settling_times():
     m = flight_metrics(flight(effectiveness_thrust_est=TRUTH + wrong))
     assert m["effectiveness_thrust_error_max"] == pytest.approx(0.01)
     assert m["effectiveness_thrust_error_rms"] == pytest.approx(0.01)
-    assert judged(flight().record).sum() == 6001 - 400
+    assert judged(flight()).sum() == 6001 - 400
 
 
 def test_detection_delay_and_false_alarms():
@@ -71,3 +73,48 @@ def test_verdict():
     assert passed(flight_metrics(flight()))
     departed = flight()._replace(outcome=Outcome("departed", 12.0, "vertical"))
     assert not passed(flight_metrics(departed))
+
+
+def test_fault_declared_before_its_onset_has_no_delay_and_is_a_false_alarm():
+    """A standing false alarm is not a detection in no time."""
+    m = flight_metrics(flight(effectiveness_thrust_est=TRUTH, fault_declared=TIME >= 12.0))
+    assert m["detection_delay_s"] is None
+    assert m["false_alarms"] == 1
+
+
+def test_unknown_numbers_are_none_and_the_document_is_json():
+    """A loop that tells nothing of limits, and a flight of a single row."""
+    unknown = flight(thrust_saturated=np.nan, load_factor_saturated=np.nan, outside_range=np.nan)
+    m = flight_metrics(unknown)
+    assert m["saturated_fraction"] is None
+    assert m["outside_identified_fraction"] is None
+    assert m["unobservable_fraction"] == {"thrust": None}
+    short = unknown._replace(record=unknown.record[:1])
+    json.dumps(flight_metrics(short), allow_nan=False)
+
+
+def test_channel_that_nothing_excites_is_not_observable_and_its_estimate_holds():
+    """Bank lost to 0.85 at 2 s in straight flight: unseen until the first turn at 5 s, then estimated.
+
+    Wings level the estimate stays at 1 within 0.02 while its variance grows with Q; in the turn it is
+    within 0.02 of the truth 3 s on.
+    """
+    scenario = load_scenario(
+        "paper",
+        [
+            "loop.estimator.channels=['thrust','bank_angle']",
+            "loop.estimator.process_noise=[1e-10,1e-10,1e-10,1e-8,1e-8]",
+            "loop.estimator.measurement_noise=[1e-10,1e-10,1e-10]",
+            "loop.estimator.initial_covariance=[1e-6,1e-8,1e-6,1e-4,1e-4]",
+            "fault=[{target='bank_angle',effectiveness=0.85,start=2}]",
+            "duration=12",
+        ],
+    )
+    flown = fly(scenario)
+    hidden, time = unobservable(flown, "bank_angle"), flown.record["time"]
+    assert hidden[(time > 1.0) & (time < 5.0)].all()
+    assert not hidden[(time > 6.5) & (time < 9.0)].any()
+    assert not unobservable(flown, "thrust")[time > 1.0].any()
+    estimate = flown.record["effectiveness_bank_angle_est"]
+    assert np.abs(estimate[time < 5.0] - 1.0).max() < 0.02
+    assert np.abs(estimate[(time > 8.0) & (time < 10.0)] - 0.85).max() < 0.02

@@ -91,12 +91,3 @@ def control_law(
         trim_load_factor + load_factor_step / effectiveness[1],
         trim_bank_angle + bank_step / effectiveness[2],
     )
-
-
-@compiled
-def load_factor_limit(
-    at: Condition, airspeed: float, load_factor_max: float, lift_max: float
-) -> float:
-    """Upper limit of the load factor: min(n_max, C_Lmax q S / W)."""
-    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
-    return min(load_factor_max, lift_max * pressure_area / (at.mass * at.gravity))

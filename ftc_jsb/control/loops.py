@@ -1,7 +1,6 @@
 """The registry of outer loops, and what makes each flyable on a recording."""
 
 import importlib
-import math
 import sys
 from collections.abc import Callable
 from importlib.metadata import entry_points
@@ -23,7 +22,8 @@ from ftc_jsb.control.outer_loop import (
     UNSCENTED,
     outer_loop_step,
 )
-from ftc_jsb.control.protocol import Command, LoopSetup, Measurement, OuterLoop, Reference
+from ftc_jsb.control.protocol import LoopSetup, OuterLoop
+from ftc_jsb.control.python_loop import PythonLoop
 from ftc_jsb.disturbance.faults import CHANNELS
 from ftc_jsb.errors import LoopError
 from ftc_jsb.scenario.schema import Loop
@@ -81,67 +81,6 @@ class CompiledLoop:
         self._step(self.settings, self._model, self.state, self._record, i)
 
 
-class PythonLoop:
-    """A loop of the user's, given rows of the recording as named tuples."""
-
-    def __init__(self, loop: OuterLoop, record: npt.NDArray[Any]) -> None:
-        """Args: the loop; the recording it reads and writes."""
-        self._loop = loop
-        self._record = record
-        self._measured = [f"{name}_meas" for name in Measurement._fields]
-        states = Reference._fields[:3]
-        self._reference = [f"{n}_ref" for n in states] + [f"{n}_ref_rate" for n in states]
-        self._reference += ["north_ref", "east_ref", "altitude_ref"]
-        names = record.dtype.names or ()
-        self._writable = [n for n in names if n.endswith(("_est", "_std"))] + ["fault_declared"]
-
-    def step(self, i: int) -> None:
-        """One sample.
-
-        Raises:
-            LoopError: the loop raised, or returned something that is not a Command.
-        """
-        row = self._record[i]
-        measurement = Measurement(*(float(row[name]) for name in self._measured))
-        reference = Reference(*(float(row[name]) for name in self._reference))
-        name = f"{type(self._loop).__module__}:{type(self._loop).__qualname__}"
-        try:
-            command = self._loop.step(float(row["time"]), measurement, reference)
-        except Exception as error:
-            raise LoopError(
-                f"loop {name}, step at {float(row['time']):.2f} s: {type(error).__name__}: {error}"
-            ) from error
-        if not isinstance(command, Command):
-            raise LoopError(f"loop {name}: step returned {command!r}, expected a Command")
-        row["thrust_cmd"] = _number(name, "thrust", command.thrust)
-        row["load_factor_cmd"] = _number(name, "load_factor", command.load_factor)
-        row["bank_angle_cmd"] = _number(name, "bank_angle", command.bank_angle)
-        row["load_factor_demand"] = row["load_factor_cmd"]
-        row["bank_angle_demand"] = row["bank_angle_cmd"]
-        row["thrust_saturated"] = row["load_factor_saturated"] = row["outside_range"] = 0.0
-        for key, value in command.estimates.items():
-            if key not in self._writable:
-                raise LoopError(
-                    f"loop {name}: estimates[{key!r}]: expected one of {', '.join(self._writable)}"
-                )
-            row[key] = _number(name, key, value)
-
-
-def _number(loop: str, field: str, value: object) -> float:
-    """A finite number out of a user's loop.
-
-    Raises:
-        LoopError: it is none.
-    """
-    try:
-        number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        number = math.nan
-    if not math.isfinite(number):
-        raise LoopError(f"loop {loop}: {field} is {value!r}, expected a finite number")
-    return number
-
-
 def loop_settings(name: str, loop: Loop, model: npt.NDArray[Any], dt: float) -> npt.NDArray[Any]:
     """[loop] of a scenario as (1,) LOOP_SETTINGS of the built-in loop `name`."""
     kind = BUILT_IN[name]
@@ -196,11 +135,19 @@ def build_loop(setup: LoopSetup, model: npt.NDArray[Any], record: npt.NDArray[An
     name = setup.settings.name
     if name in BUILT_IN:
         return CompiledLoop(name, setup.settings, model, setup.dt, record)
+    return PythonLoop(make_loop(setup), record)
+
+
+def make_loop(setup: LoopSetup) -> OuterLoop:
+    """A loop that is not built in, from its class.
+
+    Raises:
+        LoopError: unknown, cannot be imported, or refuses its settings.
+    """
+    name = setup.settings.name
     loop = find_loop(name)
     try:
-        return PythonLoop(loop(setup), record)
-    except LoopError:
-        raise
+        return loop(setup)
     except Exception as error:
         raise LoopError(
             f"loop {name!r} cannot be built: {type(error).__name__}: {error}"
@@ -216,7 +163,12 @@ def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
         LoopError: there is none.
     """
     for point in entry_points(group=ENTRY_POINTS, name=name):
-        loaded: Callable[[LoopSetup], OuterLoop] = point.load()
+        try:
+            loaded: Callable[[LoopSetup], OuterLoop] = point.load()
+        except Exception as error:
+            raise LoopError(
+                f"loop.name: {name!r}: {point.value} cannot be loaded: {error}"
+            ) from None
         return loaded
     module_name, colon, class_name = name.partition(":")
     if not colon or not module_name or not class_name:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.law import control_law, load_factor_limit
+from ftc_jsb.control.law import control_law
 from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.estimation.detector import DETECTOR, detect
 from ftc_jsb.estimation.ekf import predict_extended
@@ -18,7 +18,7 @@ from ftc_jsb.estimation.process import CHANNELS, FILTER, OUTPUTS, STATES, Forcin
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
-from ftc_jsb.point_mass.dynamics import level_trim_thrust, velocity
+from ftc_jsb.point_mass.dynamics import level_trim_thrust, load_factor_limit, velocity
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
 
@@ -108,6 +108,10 @@ def _start(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     x.drag_coefficient, x.alpha, x.load_factor, x.bank_angle = _sensed(m, at, row)
     f = x.filter
     f.rejected = 0
+    f.nis = math.nan  # nothing is predicted before the first sample
+    for k in range(OUTPUTS):
+        f.innovation[k] = math.nan
+        f.innovation_covariance[k, k] = math.nan
     for a in range(f.count):
         f.estimate[a] = x.measurement[a] if a < OUTPUTS else 1.0
         for b in range(f.count):

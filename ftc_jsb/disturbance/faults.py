@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.scenario.schema import Channel, Fault
+from ftc_jsb.scenario.schema import Channel, Fault, Scenario
 
 CHANNELS: tuple[Channel, ...] = ("thrust", "load_factor", "bank_angle")
 TIME_TOLERANCE = 1e-9  # [s]: 0.1 x 3 counts as 0.3
@@ -46,10 +46,17 @@ def severity(fault: Fault, times: npt.NDArray[np.float64]) -> npt.NDArray[np.flo
     return present
 
 
-def fault_steps(truth: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
-    """Rows at which an effectiveness jumps, by more than 0.01 from one sample to the next.
+def fault_steps(truth: npt.NDArray[np.float64], scenario: Scenario) -> npt.NDArray[np.int64]:
+    """Rows at which an effectiveness jumps: by more than the scenario's steepest ramp would.
 
     Args:
         truth: (rows,) of one channel.
+        scenario: that was flown.
     """
-    return (np.flatnonzero(np.abs(np.diff(truth)) > 0.01) + 1).astype(np.int64)
+    ramps = [
+        (1.0 - fault.effectiveness) / fault.rise / scenario.loop.rate
+        for fault in scenario.fault
+        if fault.shape == "ramp" and fault.rise is not None
+    ]
+    steepest = 1.001 * max(ramps, default=0.0) + TIME_TOLERANCE
+    return (np.flatnonzero(np.abs(np.diff(truth)) > steepest) + 1).astype(np.int64)

@@ -107,3 +107,12 @@ def level_trim_thrust(at: Condition, airspeed: float, flight_path_angle: float) 
         drag, alpha = polar_drag(at, airspeed, thrust, load_factor)
         thrust = (drag + weight * math.sin(flight_path_angle)) / math.cos(alpha)
     return thrust
+
+
+@compiled
+def load_factor_limit(
+    at: Condition, airspeed: float, load_factor_max: float, lift_max: float
+) -> float:
+    """Upper limit of the load factor: min(n_max, C_Lmax q S / W)."""
+    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
+    return min(load_factor_max, lift_max * pressure_area / (at.mass * at.gravity))

@@ -255,8 +255,8 @@ def load_point_mass(folder: Path) -> PointMass:
     try:
         values = json.dumps(tomllib.loads(path.read_text(encoding="utf-8")), default=str)
         return PointMass.model_validate_json(values, strict=True)
-    except OSError as error:
-        raise AircraftError(f"{path}: cannot be read: {error.strerror}") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise AircraftError(f"{path}: cannot be read: {error}") from None
     except tomllib.TOMLDecodeError as error:
         raise AircraftError(f"{path}: not TOML: {error}") from None
     except ValidationError as error:

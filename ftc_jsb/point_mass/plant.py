@@ -7,7 +7,13 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled, direct
-from ftc_jsb.point_mass.dynamics import derivatives, level_trim_thrust, polar_drag, velocity
+from ftc_jsb.point_mass.dynamics import (
+    derivatives,
+    level_trim_thrust,
+    load_factor_limit,
+    polar_drag,
+    velocity,
+)
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
 from ftc_jsb.scenario.schema import Initial
@@ -78,7 +84,8 @@ def point_mass_step(model: Any, state: Any, record: Any, i: int, dt: float, subs
     m, s, row = model[0], state[0], record[i]
     x = s.x
     at = at_condition(m, x[0], x[5])
-    load_factor = min(max(row.load_factor_cmd, m.load_factor_min), m.load_factor_max)
+    most = load_factor_limit(at, x[0], m.load_factor_max, m.lift_coefficient_max)
+    load_factor = min(max(row.load_factor_cmd, m.load_factor_min), most)
     load_factor *= row.effectiveness_load_factor
     bank = row.bank_angle_cmd * row.effectiveness_bank_angle
     if m.response_frequency[0] == 0.0:

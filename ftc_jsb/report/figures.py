@@ -96,7 +96,7 @@ def trajectories(flights: Flights) -> Figure:
                 axes.plot(
                     record["east"] / 1e3, record["north"] / 1e3, record["altitude"] / 1e3, **style
                 )
-                fault = fault_steps(flight.record["effectiveness_thrust"])
+                fault = fault_steps(flight.record["effectiveness_thrust"], flight.scenario)
                 if fault.size:
                     row = flight.record[fault[0]]
                     axes.plot(
@@ -324,7 +324,7 @@ def _styles(flights: Flights) -> dict[str, dict[str, Any]]:
 
 def _mark_faults(axes: Axes, members: list[Flight]) -> None:
     """Dotted lines where the thrust effectiveness steps."""
-    for step in fault_steps(members[0].record["effectiveness_thrust"])[:20]:
+    for step in fault_steps(members[0].record["effectiveness_thrust"], members[0].scenario)[:20]:
         time = members[0].record["time"][step]
         axes.axvline(time, color="#888888", linewidth=0.7, linestyle=":")
 

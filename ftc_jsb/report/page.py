@@ -1,6 +1,5 @@
 """The report: one self-contained HTML file, its figures, and the metrics beside it."""
 
-import json
 import re
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from ftc_jsb.report.validity import compare_flights
 from ftc_jsb.scenario.load import scenario_toml
 from ftc_jsb.simulation.flight import Flight
 from ftc_jsb.simulation.recording import versions
+from ftc_jsb.simulation.session import document, write_metrics
 
 CAPTIONS = {
     "figure1_states": """Figure 1. Airspeed, flight path angle and heading, with the references from the
@@ -56,9 +56,7 @@ def write_report(flights: dict[str, Flight], folder: Path, command: str) -> dict
         undefined=jinja2.StrictUndefined,
     )
     try:
-        (folder / "metrics.json").write_text(
-            json.dumps({"flights": metrics}, indent=2) + "\n", encoding="utf-8"
-        )
+        write_metrics(folder / "metrics.json", document(metrics))
         drawings = draw_all(flights, folder / "figures")
         page = environment.get_template("report.html").render(
             _contents(flights, metrics, drawings, command)

@@ -1,6 +1,7 @@
 """A progress bar on a terminal, as an observer of flights."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy.typing as npt
@@ -19,10 +20,12 @@ class Progress:
         self._scenario = scenario
         self._enabled = enabled
 
-    def __call__(self, label: str) -> Sequence[Observer]:
-        """Observers for one flight."""
+    @contextmanager
+    def __call__(self, label: str) -> Iterator[Sequence[Observer]]:
+        """Observers for one flight; the bar is gone when the flight is over, however it ended."""
         if not self._enabled:
-            return ()
+            yield ()
+            return
         from rich.console import Console
         from rich.progress import Progress as Bar
         from rich.progress import TextColumn, TimeElapsedColumn
@@ -31,12 +34,10 @@ class Progress:
         bar = Bar(*columns, TimeElapsedColumn(), console=Console(stderr=True), transient=True)
         samples = self._scenario.samples
         task = bar.add_task(label, total=samples, seconds="0")
-        bar.start()
 
         def observe(record: npt.NDArray[Any], i: int) -> None:
-            if i % EVERY == 0 or i == samples:
+            if i % EVERY == 0:
                 bar.update(task, completed=i, seconds=f"{record[i]['time']:.0f}")
-            if i == samples:
-                bar.stop()
 
-        return (observe,)
+        with bar:
+            yield (observe,)

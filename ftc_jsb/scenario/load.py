@@ -103,6 +103,8 @@ def _override(values: dict[str, Any], override: str) -> None:
         value = tomllib.loads(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
         value = text.strip()
+    except (ValueError, RecursionError) as error:
+        raise ScenarioError(f"--set {key.strip()}: cannot be read: {error}") from None
     parts = key.strip().replace("[", ".").replace("]", "").split(".")
     place: Any = values
     for index, part in enumerate(parts):

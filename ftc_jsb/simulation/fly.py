@@ -13,7 +13,7 @@ from ftc_jsb.control.command_filter import command_filter, reference_step
 from ftc_jsb.control.loops import build_loop
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import effectiveness
-from ftc_jsb.errors import LoopError, ScenarioError
+from ftc_jsb.errors import AircraftError, LoopError, ScenarioError
 from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
 from ftc_jsb.scenario.reference import raw_commands
 from ftc_jsb.scenario.schema import Scenario
@@ -21,10 +21,10 @@ from ftc_jsb.simulation.flight import Flight, Outcome
 from ftc_jsb.simulation.monitor import FLYING, REASONS, departed
 from ftc_jsb.simulation.plant import Plant
 from ftc_jsb.simulation.variables import ROW
-from ftc_jsb.six_dof.aircraft import aircraft_folder
+from ftc_jsb.six_dof.aircraft import PAPER_AIRCRAFT, aircraft_folder
 
 Observer = Callable[[npt.NDArray[Any], int], None]  # recording, row just completed
-PAPER_AIRCRAFT = "paper"
+SLOWEST_JSBSIM = 80.0  # [Hz]: the inner loop's bandwidth of 36 1/s with a margin
 
 
 def fly(
@@ -77,7 +77,7 @@ def fly(
             plant.step(i)
             for observe in observers:
                 observe(record, i)
-    except LoopError as error:
+    except (AircraftError, LoopError) as error:
         outcome = Outcome("failed", (rows - 1) * dt, str(error))
     except KeyboardInterrupt:
         rows = max(rows - 1, 1)  # the row at hand may be half written
@@ -100,6 +100,12 @@ def refuse_unflyable(scenario: Scenario) -> None:
                 f"fault[{index}].target: {fault.target!r} is a channel of the point masses; the model "
                 "'jsbsim' has 'thrust'"
             )
+    frames = scenario.loop.rate * scenario.simulation.jsbsim_steps
+    if scenario.model == "jsbsim" and frames < SLOWEST_JSBSIM:
+        raise ScenarioError(
+            f"loop.rate x simulation.jsbsim_steps: {frames:g} Hz; the inner loop needs at least "
+            f"{SLOWEST_JSBSIM:g} Hz"
+        )
 
 
 def point_mass_of(scenario: Scenario) -> PointMass:

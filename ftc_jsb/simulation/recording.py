@@ -1,7 +1,12 @@
 """A flight as an xarray dataset, and as a NetCDF file that holds all it takes to fly it again."""
 
+import hashlib
 import json
 import platform
+import signal
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -11,8 +16,10 @@ import numpy as np
 import ftc_jsb
 from ftc_jsb.errors import RecordingError, ScenarioError
 from ftc_jsb.scenario.load import parse_scenario, scenario_toml
+from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.flight import Flight, Outcome
 from ftc_jsb.simulation.variables import ROW, VARIABLES
+from ftc_jsb.six_dof.aircraft import PAPER_AIRCRAFT, aircraft_folder
 
 if TYPE_CHECKING:
     import xarray
@@ -42,11 +49,23 @@ def to_dataset(flight: Flight) -> "xarray.Dataset":
             "jsbsim_rate_hz": scenario.loop.rate * scenario.simulation.jsbsim_steps,
             "scenario": scenario_toml(scenario),
             "versions": json.dumps(versions()),
+            "aircraft_digest": aircraft_digest(scenario),
             "status": flight.outcome.status,
             "end_time_s": flight.outcome.time,
             "reason": flight.outcome.reason,
         },
     )
+
+
+def aircraft_digest(scenario: Scenario) -> str:
+    """SHA-256 of the aircraft's own files: the same scenario with another fit is another flight."""
+    name = PAPER_AIRCRAFT if scenario.model == "paper" else scenario.aircraft.name
+    folder = aircraft_folder(name)
+    digest = hashlib.sha256()
+    for file in ("aircraft.toml", "inner_loop.xml", "point_mass.toml"):
+        if (folder / file).is_file():
+            digest.update((folder / file).read_bytes())
+    return digest.hexdigest()
 
 
 def versions() -> dict[str, str]:
@@ -70,10 +89,28 @@ def save(flight: Flight, path: Path) -> None:
     dataset = to_dataset(flight)
     encoding = {name: {"zlib": True, "complevel": 1} for name in dataset.variables}
     try:
-        dataset.to_netcdf(part, engine="netcdf4", encoding=encoding)
-        part.replace(path)
-    except OSError as error:
+        with _uninterrupted():
+            dataset.to_netcdf(part, engine="netcdf4", encoding=encoding)
+            part.replace(path)
+    except (OSError, RuntimeError) as error:
+        part.unlink(missing_ok=True)
         raise RecordingError(f"{path}: cannot be written: {error}") from None
+
+
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Ctrl-C waits while a flight is written; elsewhere than in the main thread it does anyway."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    waiting: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: waiting.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if waiting:
+        raise KeyboardInterrupt
 
 
 def load(path: Path) -> Flight:
@@ -89,7 +126,7 @@ def load(path: Path) -> Flight:
     try:
         with xarray.open_dataset(path, engine="netcdf4", decode_times=False) as dataset:
             dataset.load()
-    except (OSError, ValueError) as error:
+    except (OSError, RuntimeError, ValueError) as error:
         raise RecordingError(f"{path}: not a readable NetCDF file: {error}") from None
     attributes = dataset.attrs
     missing = [

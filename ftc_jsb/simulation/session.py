@@ -2,21 +2,25 @@
 
 import json
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ftc_jsb.control.loops import BUILT_IN, find_loop, loop_names
+from ftc_jsb.control.loops import BUILT_IN, loop_names, make_loop
+from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.errors import RecordingError, UserError
 from ftc_jsb.metrics import Metrics, flight_metrics
 from ftc_jsb.scenario.load import load_scenario, scenario_names
 from ftc_jsb.scenario.schema import Model, Scenario
 from ftc_jsb.simulation.flight import Flight
-from ftc_jsb.simulation.fly import PAPER_AIRCRAFT, Observer, fly, point_mass_of, refuse_unflyable
+from ftc_jsb.simulation.fly import Observer, fly, point_mass_of, refuse_unflyable
 from ftc_jsb.simulation.recording import load, save
-from ftc_jsb.six_dof.aircraft import aircraft_folder, aircraft_names, load_aircraft
+from ftc_jsb.six_dof.aircraft import PAPER_AIRCRAFT, aircraft_folder, aircraft_names, load_aircraft
 
 Flights = dict[str, Flight]
-Watch = Callable[[str], Sequence[Observer]]  # the observers of a flight with this label
+Watch = Callable[
+    [str], AbstractContextManager[Sequence[Observer]]
+]  # observers of a labelled flight
 
 
 class Result(NamedTuple):
@@ -29,11 +33,12 @@ class Result(NamedTuple):
 
 def fly_and_save(scenario: Scenario, folder: Path, watch: Watch) -> Result:
     """Fly once; write `flight.nc` and `metrics.json`, also of a flight that did not end well."""
-    flight = fly(scenario, watch(scenario.model))
+    with watch(scenario.model) as observers:
+        flight = fly(scenario, observers)
     save(flight, folder / "flight.nc")
     metrics = flight_metrics(flight)
     contents = document({flight.label: metrics})
-    _write_json(folder / "metrics.json", contents)
+    write_metrics(folder / "metrics.json", contents)
     return Result(flight.label, metrics, contents)
 
 
@@ -47,9 +52,15 @@ def compare_and_save(scenario: Scenario, folder: Path, watch: Watch) -> tuple[Fl
     flights: Flights = {}
     for model in scenario.compare.models:
         for loop in scenario.compare.loops:
-            flight = fly(variant(scenario, model, loop), watch(f"{model}-{loop}"))
-            flights[flight.label] = flight
-            save(flight, folder / f"{flight.label}.nc")
+            try:
+                with watch(f"{model}-{loop}") as observers:
+                    flight = fly(variant(scenario, model, loop), observers)
+                flights[flight.label] = flight
+                save(flight, folder / f"{flight.label}.nc")
+            except KeyboardInterrupt:
+                if not flights:
+                    raise
+                return flights, True
             if flight.outcome.status == "interrupted":
                 return flights, True
     return flights, False
@@ -101,9 +112,13 @@ def check_scenario(scenario: Scenario) -> list[str]:
             name = PAPER_AIRCRAFT if model == "paper" else scenario.aircraft.name
             lines.append(f"model {model}: point mass of {aircraft_folder(name).name}")
     for loop in dict.fromkeys((scenario.loop.name, *scenario.compare.loops)):
+        named = scenario.loop.model_copy(update={"name": loop})
+        fly_ready = scenario.model_copy(update={"loop": named})
+        aircraft = point_mass_of(fly_ready)
+        mass = aircraft.initial_mass(scenario.aircraft.fuel_fraction)
         if loop not in BUILT_IN:
-            find_loop(loop)
-        lines.append(f"loop {loop}: found")
+            make_loop(LoopSetup(aircraft, mass, named, 1.0 / named.rate))
+        lines.append(f"loop {loop}: found and built")
     return lines
 
 
@@ -146,8 +161,14 @@ def document(metrics: dict[str, Metrics]) -> dict[str, Any]:
     return {"flights": metrics}
 
 
-def _write_json(path: Path, contents: dict[str, Any]) -> None:
+def write_metrics(path: Path, contents: dict[str, Any]) -> None:
+    """Write `metrics.json`; unknown numbers are null, never NaN, which is no JSON.
+
+    Raises:
+        RecordingError: the file cannot be written.
+    """
     try:
-        path.write_text(json.dumps(contents, indent=2) + "\n", encoding="utf-8")
+        text = json.dumps(contents, indent=2, allow_nan=False)
+        path.write_text(text + "\n", encoding="utf-8")
     except OSError as error:
         raise RecordingError(f"{path}: cannot be written: {error.strerror}") from None

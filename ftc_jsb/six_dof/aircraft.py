@@ -10,6 +10,8 @@ from ftc_jsb.errors import AircraftError
 from ftc_jsb.resources import shipped
 from ftc_jsb.scenario.messages import first_problem
 
+PAPER_AIRCRAFT = "paper"  # the aircraft of the model `paper`
+
 _Name = Annotated[str, Field(min_length=1, max_length=200)]
 _Value = Annotated[float, Field(ge=-1e9, le=1e9)]
 
@@ -71,18 +73,19 @@ class Aircraft(_Strict):
 
 
 def aircraft_folder(name: str) -> Path:
-    """Folder of an aircraft by the name of a shipped one or by path.
+    """Folder of an aircraft: a bare name is a shipped one, `./name` or any other path a folder.
 
     Raises:
         AircraftError: there is no such folder.
     """
-    for candidate in (Path(name), shipped("aircraft") / name):
+    plain = Path(name).name == name  # a bare name is a shipped aircraft, whatever lies around
+    for candidate in (shipped("aircraft") / name,) if plain else (Path(name),):
         if any((candidate / file).is_file() for file in ("point_mass.toml", "aircraft.toml")):
             return candidate.resolve()
     known = ", ".join(aircraft_names())
     raise AircraftError(
         f"aircraft.name: no aircraft {name!r}; expected one of {known}, "
-        "or the path of a folder that holds point_mass.toml"
+        "or the path of a folder (./mine) that holds point_mass.toml"
     )
 
 
@@ -102,7 +105,9 @@ def load_aircraft(name: str) -> Aircraft:
         raise AircraftError(f"{path}: not found; the jsbsim model needs it beside point_mass.toml")
     try:
         values = tomllib.loads(path.read_text(encoding="utf-8"))
-        return Aircraft(**values, folder=path.parent)
+        return Aircraft(**values).model_copy(update={"folder": path.parent})
+    except (OSError, UnicodeDecodeError) as error:
+        raise AircraftError(f"{path}: cannot be read: {error}") from None
     except tomllib.TOMLDecodeError as error:
         raise AircraftError(f"{path}: not TOML: {error}") from None
     except ValidationError as error:

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled, direct
+from ftc_jsb.errors import AircraftError
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
 from ftc_jsb.six_dof.aircraft import load_aircraft
 from ftc_jsb.six_dof.properties import engine_count, readers, writer
@@ -46,6 +47,7 @@ JSBSIM_STATE = np.dtype(
         ("east", float, (3,)),
         ("heading", float),  # [rad], continuous
         ("yaw", float),
+        ("bank", float),
     ]
 )
 
@@ -88,7 +90,8 @@ def observe(raw: Any, state: Any, record: Any, i: int) -> None:
     row.heading = s.heading
     row.mach = raw[1]
     row.alpha, row.sideslip = alpha, beta
-    row.bank_angle = math.atan2(sin_bank, cos_bank)
+    s.bank = _continuous(math.atan2(sin_bank, cos_bank), s.bank)
+    row.bank_angle = s.bank
     row.roll, row.pitch, row.yaw = phi, theta, s.yaw
     row.roll_rate, row.pitch_rate, row.yaw_rate = raw[7], raw[8], raw[9]
     row.load_factor = raw[11] * ca + raw[10] * sa
@@ -183,7 +186,11 @@ class JsbsimPlant:
         self._observe(self._raw, self._state, self._record, i)
 
     def step(self, i: int) -> None:
-        """Fly the commands of row `i` for one sample."""
+        """Fly the commands of row `i` for one sample.
+
+        Raises:
+            AircraftError: JSBSim raised, or says that it is over.
+        """
         row = self._record[i]
         self._command_thrust(float(row["thrust_cmd"]))
         self._command_load_factor(float(row["load_factor_cmd"]))
@@ -192,8 +199,14 @@ class JsbsimPlant:
         for engine in self._effectiveness:
             engine(effectiveness)
         run = self.fdm.run
-        for _ in range(self._steps):
-            run()
+        try:
+            for _ in range(self._steps):
+                if not run():
+                    raise AircraftError("JSBSim ended the flight")
+        except AircraftError:
+            raise
+        except Exception as error:  # JSBSim's own, of many kinds
+            raise AircraftError(f"JSBSim: {' '.join(str(error).split())[:400]}") from None
 
     def close(self) -> None:
         """Let JSBSim's instance go."""

@@ -102,7 +102,12 @@ def _trim(aircraft: Aircraft, root: Path, dt: float, initial: Initial, fuel_frac
     for name, value in aircraft.setup.items():
         write_checked(fdm, name, value)
     _fuel(aircraft, fdm, fuel_fraction)
-    if not fdm.run_ic():
+    try:
+        accepted = fdm.run_ic()
+    except Exception as error:  # an unknown property in the woven systems, say
+        said = " ".join(str(error).split())[:400]
+        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim: {said}") from None
+    if not accepted:
         raise TrimError(f"aircraft {aircraft.name!r}: JSBSim refuses the initial condition")
     fdm["propulsion/set-running"] = -1
     try:

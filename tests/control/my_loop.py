@@ -12,6 +12,7 @@ class MyLoop:
         self.mass = setup.mass
         self.gravity = setup.aircraft.mass.gravity
         self.gains = setup.settings.gains
+        self.dt = setup.dt
         self.thrust: float | None = None
 
     def step(self, time: float, measurement: Measurement, reference: Reference) -> Command:
@@ -19,7 +20,7 @@ class MyLoop:
         if self.thrust is None:
             self.thrust = 0.3 * self.mass * self.gravity
         acceleration = reference.airspeed_rate + self.gains[0] * (reference.airspeed - v)
-        self.thrust += 0.02 * self.mass * acceleration
+        self.thrust += 2.0 * self.dt * self.mass * acceleration
         climb = reference.flight_path_angle_rate + self.gains[1] * (
             reference.flight_path_angle - path
         )
@@ -71,3 +72,10 @@ class WrongEstimateLoop(MyLoop):
 
     def step(self, time, measurement, reference):
         return Command(40e3, 1.0, 0.0, {"airspeed": 3.0})
+
+
+class PullingLoop(MyLoop):
+    """Pulls 7 g at any speed."""
+
+    def step(self, time, measurement, reference):
+        return Command(40e3, 7.0, 0.0)

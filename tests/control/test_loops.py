@@ -1,8 +1,12 @@
 """The registry, the five built-in loops against each other, and loops of a user's own."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from scipy.signal import cont2discrete
 
+from ftc_jsb.control.loops import loop_names
 from ftc_jsb.errors import LoopError
 from ftc_jsb.metrics import flight_metrics
 from ftc_jsb.scenario.load import load_scenario
@@ -90,3 +94,39 @@ def test_loop_that_fails_in_flight_keeps_what_was_flown(name, says):
     assert flight.outcome.status == "failed"
     assert says in flight.outcome.reason
     assert flight.record["time"][-1] == pytest.approx(flight.outcome.time)
+
+
+def test_template_of_the_docs_is_the_loop_that_is_tested():
+    docs = (Path(__file__).parents[2] / "docs" / "loops.md").read_text()
+    template = docs.split("```python")[1].split("```")[0]
+    source = (Path(__file__).parent / "my_loop.py").read_text()
+    assert template.split("class MyLoop:")[1].strip() in source
+
+
+def test_installed_package_names_its_loop_by_entry_point(tmp_path, monkeypatch):
+    """A distribution on the path with an entry point in `ftc_jsb.loops`: listed and flown by its name."""
+    source = (Path(__file__).parent / "my_loop.py").read_text()
+    (tmp_path / "their_package.py").write_text(source)
+    metadata = tmp_path / "their_package-1.0.dist-info"
+    metadata.mkdir()
+    (metadata / "METADATA").write_text("Metadata-Version: 2.1\nName: their-package\nVersion: 1.0\n")
+    (metadata / "entry_points.txt").write_text("[ftc_jsb.loops]\ntheirs = their_package:MyLoop\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    assert "theirs" in loop_names()
+    flight = fly(load_scenario("nominal", ["loop.name=theirs", "duration=2"]))
+    assert flight.outcome.status == "complete"
+
+
+def test_trim_filter_is_the_sampled_filter_10(flown):
+    """u_n of the recording against SciPy's zero-order hold of zeta / (s + zeta), driven by the limited u."""
+    record = flown("paper").record
+    system = [np.array([[value]]) for value in (-50.0, 50.0, 1.0, 0.0)]
+    a, b = (float(matrix[0, 0]) for matrix in cont2discrete(system, 0.01, method="zoh")[:2])
+    for trim, demand in (
+        ("trim_input_thrust", "thrust_cmd"),
+        ("trim_input_load_factor", "load_factor_demand"),
+        ("trim_input_bank_angle", "bank_angle_demand"),
+    ):
+        expected = a * record[trim][:-2] + b * record[demand][:-2]
+        scale = np.abs(record[trim][:-1]).max()
+        np.testing.assert_allclose(record[trim][1:-1], expected, rtol=0.0, atol=1e-12 * scale)

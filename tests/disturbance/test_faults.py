@@ -5,13 +5,26 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ftc_jsb.disturbance.faults import effectiveness, fault_steps
-from ftc_jsb.scenario.schema import Fault
+from ftc_jsb.scenario.load import load_scenario
+from ftc_jsb.scenario.schema import Fault, Scenario
 
 TIME = np.arange(6001) / 100.0
 
 
 def thrust(*faults: Fault) -> np.ndarray:
     return effectiveness(faults, TIME)[:, 0]
+
+
+def scenario(*faults: Fault) -> Scenario:
+    return load_scenario("nominal").model_copy(update={"fault": faults})
+
+
+def test_steps_beside_a_steep_ramp_are_told_from_it():
+    """A ramp of 0.4 s moves 0.01 a sample and is no step at 100 Hz, nor at 200; one of 0.02 is."""
+    ramp = Fault(effectiveness=0.6, start=10.0, shape="ramp", rise=0.4)
+    small = Fault(effectiveness=0.98, start=30.0)
+    steps = fault_steps(thrust(ramp, small), scenario(ramp, small))
+    assert list(steps) == [3000]
 
 
 def test_step_acts_from_its_sample_on_and_recovers_at_its_end():
@@ -21,7 +34,7 @@ def test_step_acts_from_its_sample_on_and_recovers_at_its_end():
     assert k[2000] == 0.6
     assert k[3999] == 0.6
     assert k[4000] == 1.0
-    assert list(fault_steps(k)) == [2000, 4000]
+    assert list(fault_steps(k, scenario())) == [2000, 4000]
 
 
 def test_step_between_samples_acts_from_the_next_sample():
@@ -31,10 +44,11 @@ def test_step_between_samples_acts_from_the_next_sample():
 
 
 def test_ramp_is_linear_and_has_no_step():
-    k = thrust(Fault(effectiveness=0.5, start=15.0, shape="ramp", rise=10.0))
+    ramp = Fault(effectiveness=0.5, start=15.0, shape="ramp", rise=10.0)
+    k = thrust(ramp)
     np.testing.assert_allclose(k[1500:2501], np.linspace(1.0, 0.5, 1001), atol=1e-9)
     assert np.all(k[2500:] == 0.5)
-    assert fault_steps(k).size == 0
+    assert fault_steps(k, scenario(ramp)).size == 0
 
 
 def test_intermittent_is_faulty_for_its_duty():

@@ -96,3 +96,12 @@ def test_integrator_converges_at_fourth_order(flown, name):
     error = [np.abs(flights[steps] - flights[64]).max() for steps in (1, 2, 4)]
     assert np.log2(error[0] / error[1]) == pytest.approx(4.0, abs=0.1)
     assert np.log2(error[1] / error[2]) == pytest.approx(4.0, abs=0.1)
+
+
+def test_plant_holds_the_load_factor_within_what_lift_allows():
+    """A loop that asks for 7 g at 120 m/s gets C_Lmax q S / W = 4.6 of the paper's aircraft, no more."""
+    name = "loop.name='tests.control.my_loop:PullingLoop'"
+    slow = ("initial.airspeed=120", "reference.airspeed=[[0,120]]", "duration=1", "limits={}")
+    record = fly(load_scenario("nominal", [name, *slow])).record
+    limit = 2.0 * 0.5 * 1.2251 * record["airspeed"] ** 2 * 37.16 / (14515.0 * 9.81)
+    np.testing.assert_allclose(record["load_factor"][1:-1], limit[1:-1], rtol=2e-3)

@@ -9,9 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ftc_jsb.errors import ScenarioError
+from ftc_jsb.point_mass.parameters import load_point_mass
 from ftc_jsb.resources import shipped
 from ftc_jsb.scenario.load import load_scenario, parse_scenario, scenario_names, scenario_toml
 from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.six_dof.aircraft import aircraft_folder
 
 PAPER = (shipped("scenarios") / "paper.toml").read_text(encoding="utf-8")
 
@@ -37,7 +39,7 @@ def test_shipped_scenario_is_valid_and_survives_being_written(name):
 
 
 def test_paper_scenario_is_section_5():
-    """Section 5 of the paper, key by key; what the paper leaves open is asserted in the README's words."""
+    """Section 5 of the paper, key by key, and the assumptions that README states where it is silent."""
     s = load_scenario("paper")
     assert (s.initial.airspeed, s.initial.altitude) == (300.0, 3048.0)
     assert (s.reference.filter_frequency, s.reference.filter_damping) == (3.0, 1.0)
@@ -48,6 +50,10 @@ def test_paper_scenario_is_section_5():
     assert not s.loop.estimator.gate
     assert not s.loop.estimator.bounded
     assert (s.fault[0].effectiveness, s.fault[0].start) == (0.6, 20.0)
+    assert s.loop.estimator.initial_covariance == (1e-6, 1e-8, 1e-6, 1e-4)
+    assert s.loop.rate == 100.0
+    aircraft = load_point_mass(aircraft_folder("paper"))
+    assert (aircraft.mass.gravity, aircraft.load_factor.minimum) == (9.81, -3.0)
 
 
 @pytest.mark.parametrize(

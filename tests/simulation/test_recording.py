@@ -61,6 +61,12 @@ def test_what_is_no_recording_is_refused(saved, tmp_path):
     cut.write_bytes(saved.read_bytes()[: saved.stat().st_size // 2])
     with pytest.raises(RecordingError, match=r"cut\.nc"):
         load(cut)
+    spoilt = bytearray(saved.read_bytes())
+    for place in range(len(spoilt) // 3, len(spoilt), 997):
+        spoilt[place] ^= 0xFF
+    cut.write_bytes(spoilt)
+    with pytest.raises(RecordingError, match=r"cut\.nc"):
+        load(cut)
     other = tmp_path / "other.nc"
     xarray.Dataset({"x": 1}).to_netcdf(other)
     with pytest.raises(

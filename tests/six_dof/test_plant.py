@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ftc_jsb.errors import AircraftError, TrimError
+from ftc_jsb.errors import AircraftError, ScenarioError, TrimError
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
 from ftc_jsb.simulation.fly import fly
@@ -98,7 +98,7 @@ def test_bank_step(airspeed):
 
 
 def test_steady_70_degree_turn_has_no_sideslip():
-    """At most 0.5 deg after 3 s, and that much for the stock F-16 only by correction."""
+    """At most 0.5 deg from 3 s on."""
     record = flight(
         Initial(), lambda t, row: (1.0 / np.cos(np.radians(70.0)), np.radians(70.0)), 8.0
     )
@@ -146,6 +146,18 @@ def test_trim_that_cannot_be_is_refused_with_residuals():
         fly(scenario)
     assert "no trim at 60 m/s, 15000 m" in str(refusal.value)
     assert "Residuals: udot" in str(refusal.value)
+
+
+def test_bank_is_continuous_through_inverted_flight():
+    """Rolling on past 180 deg the bank angle goes on growing, as heading does."""
+    record = flight(Initial(airspeed=250.0), lambda t, row: (1.0, min(1.2 * t, 4.0)), 5.0)
+    assert record["bank_angle"].max() > np.radians(200.0)
+    assert np.abs(np.diff(record["bank_angle"])).max() < 0.1
+
+
+def test_jsbsim_that_runs_too_slowly_for_its_inner_loop_is_refused():
+    with pytest.raises(ScenarioError, match="2 Hz; the inner loop needs at least 80 Hz"):
+        fly(load_scenario("paper", ["model=jsbsim", "loop.rate=1"]))
 
 
 def test_aircraft_that_is_none_is_refused():

@@ -1,11 +1,14 @@
 """The woven F-16: effectiveness at the engine's tables, named corrections, no silent property."""
 
+import shutil
 from pathlib import Path
 
 import pytest
 
 from ftc_jsb.errors import AircraftError
+from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Initial
+from ftc_jsb.simulation.fly import fly
 from ftc_jsb.six_dof.aircraft import Correction, Edit, load_aircraft
 from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.six_dof.trim import load, trimmed
@@ -97,6 +100,24 @@ def test_unknown_and_read_only_properties_are_errors():
         write_checked(fdm, "velocities/mach", 5.0)
 
 
-def test_two_weavings_are_the_same_folder():
-    assert woven_aircraft(F16, True) == woven_aircraft(F16, True)
+def test_stock_and_corrected_are_woven_apart():
     assert woven_aircraft(F16, True) != woven_aircraft(F16, False)
+
+
+def test_unknown_property_in_an_inner_loop_is_named(tmp_path):
+    """A user's folder with a misspelt property: the message has it, and nothing is flown."""
+    folder = tmp_path / "mine"
+    shutil.copytree(F16.folder, folder)
+    path = folder / "inner_loop.xml"
+    path.write_text(path.read_text().replace("<p>aero/beta-rad</p>", "<p>aero/betta-rad</p>", 1))
+    with pytest.raises(AircraftError, match="aero/betta-rad"):
+        fly(load_scenario("paper", ["model=jsbsim", f"aircraft.name='{folder}'"]))
+
+
+def test_own_folder_flies_by_path_and_a_bare_name_is_always_the_shipped_one(tmp_path, monkeypatch):
+    """A folder `paper` in the working folder does not replace Table 1; `./paper` is that folder."""
+    shutil.copytree(F16.folder, tmp_path / "paper")
+    monkeypatch.chdir(tmp_path)
+    assert fly(load_scenario("nominal", ["duration=0.1"])).record["mass"][0] == 14515.0
+    own = load_scenario("nominal", ["duration=0.1", "model=jsbsim", "aircraft.name='./paper'"])
+    assert fly(own).outcome.status == "complete"
