@@ -136,7 +136,7 @@ def report(recordings: tuple[Path, ...], out: Path | None, force: bool, as_json:
 @_set_option
 def check(file: str, overrides: tuple[str, ...]) -> None:
     """Read and validate a scenario, its aircraft and its loops, without flying."""
-    from ftc_jsb.simulation.session import check_scenario
+    from ftc_jsb.simulation.check import check_scenario
 
     flown = _load(file, overrides)
     for line in check_scenario(flown):
@@ -148,7 +148,7 @@ def check(file: str, overrides: tuple[str, ...]) -> None:
 @click.argument("kind", required=False, type=click.Choice(["scenarios", "aircraft", "loops"]))
 def list_(kind: str | None) -> None:
     """List what is shipped: scenarios, aircraft, loops."""
-    from ftc_jsb.simulation.session import inventory
+    from ftc_jsb.simulation.check import inventory
 
     for title, entries in inventory().items():
         if kind in (None, title):

@@ -19,7 +19,7 @@ import platformdirs
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
-_WITHOUT_KERNELS = {"cli.py", "metrics.py", "report", "scenario"}
+_WITHOUT_KERNELS = {"cli.py", "metrics.py", "report", "resources.py", "scenario", "typed_file.py"}
 
 
 @cache

@@ -6,9 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.disturbance.faults import fault_steps
+from ftc_jsb.scenario.limits import broken_limits, tracking_errors
 from ftc_jsb.scenario.schema import Channel
 from ftc_jsb.simulation.flight import Flight
-from ftc_jsb.simulation.limits import broken_limits, tracking_errors
 
 SETTLING = 2.0  # [s] after the start and after a fault step that the estimate is not judged in
 HEALTHY = 1.0 - 1e-9  # effectiveness below which there is a fault

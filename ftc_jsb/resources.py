@@ -2,6 +2,9 @@
 
 from pathlib import Path
 
+from ftc_jsb.errors import AircraftError
+
+PAPER_AIRCRAFT = "paper"  # the aircraft of the model `paper`
 _PACKAGE = Path(__file__).parent
 
 
@@ -9,3 +12,25 @@ def shipped(folder: str) -> Path:
     """Path of the shipped `aircraft` or `scenarios` folder."""
     installed = _PACKAGE / folder
     return installed if installed.is_dir() else _PACKAGE.parent / folder
+
+
+def aircraft_folder(name: str) -> Path:
+    """Folder of an aircraft: a bare name is a shipped one, `./name` or any other path a folder.
+
+    Raises:
+        AircraftError: there is no such folder.
+    """
+    plain = Path(name).name == name  # a bare name is a shipped aircraft, whatever lies around
+    for candidate in (shipped("aircraft") / name,) if plain else (Path(name),):
+        if any((candidate / file).is_file() for file in ("point_mass.toml", "aircraft.toml")):
+            return candidate.resolve()
+    known = ", ".join(aircraft_names())
+    raise AircraftError(
+        f"aircraft.name: no aircraft {name!r}; expected one of {known}, "
+        "or the path of a folder (./mine) that holds point_mass.toml"
+    )
+
+
+def aircraft_names() -> list[str]:
+    """Names of the shipped aircraft."""
+    return sorted(path.parent.name for path in shipped("aircraft").glob("*/point_mass.toml"))

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Self
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import Field, ValidationError, model_validator
 
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.point_mass.model import (
@@ -20,16 +20,12 @@ from ftc_jsb.point_mass.model import (
     MACH_KNOTS,
     MODEL,
 )
-from ftc_jsb.scenario.messages import first_problem
+from ftc_jsb.typed_file import Section, first_problem
 
 _Number = Annotated[float, Field(ge=-1e9, le=1e9)]
 _Positive = Annotated[float, Field(gt=0.0, le=1e9)]
 _Row = tuple[_Number, ...]
 _Table = tuple[_Row, ...]
-
-
-class _Section(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 def _increasing(name: str, knots: _Row, most: int) -> None:
@@ -42,7 +38,7 @@ def _shaped(name: str, table: _Table, rows: int, columns: int) -> None:
         raise ValueError(f"{name}: expected {rows} rows of {columns} numbers")
 
 
-class Mass(_Section):
+class Mass(Section):
     """Mass and the gravity that the equations use."""
 
     empty: _Positive  # kg, without internal fuel
@@ -50,7 +46,7 @@ class Mass(_Section):
     gravity: Annotated[float, Field(ge=9.0, le=10.5)] = 9.80665  # m/s2
 
 
-class LoadFactor(_Section):
+class LoadFactor(Section):
     """Limits of the load factor command."""
 
     minimum: Annotated[float, Field(ge=-10.0, le=0.9)]
@@ -58,7 +54,7 @@ class LoadFactor(_Section):
     lift_coefficient_max: Annotated[float, Field(gt=0.0, le=10.0)]
 
 
-class DragTable(_Section):
+class DragTable(Section):
     """Drag coefficient to be added to the parabola, over Mach and equally spaced C_L."""
 
     lift_coefficient: _Row
@@ -74,7 +70,7 @@ class DragTable(_Section):
         return self
 
 
-class Aerodynamics(_Section):
+class Aerodynamics(Section):
     """Drag polar and angle of attack: a polynomial in C_L for each Mach knot."""
 
     area: _Positive  # m2
@@ -95,7 +91,7 @@ class Aerodynamics(_Section):
         return self
 
 
-class MeasuredDrag(_Section):
+class MeasuredDrag(Section):
     """Drag coefficient from measured angles, surfaces and pitch rate, for the estimator."""
 
     mach: _Row
@@ -119,7 +115,7 @@ class MeasuredDrag(_Section):
         return self
 
 
-class Thrust(_Section):
+class Thrust(Section):
     """Thrust deck [N] of all engines, healthy, over Mach and altitude; and the spool."""
 
     mach: _Row
@@ -139,7 +135,7 @@ class Thrust(_Section):
         return self
 
 
-class Response(_Section):
+class Response(Section):
     """Closed inner loop as second-order lags; without it commands act at once."""
 
     load_factor_frequency: Annotated[float, Field(ge=0.0, le=100.0)] = 0.0  # rad/s
@@ -150,14 +146,14 @@ class Response(_Section):
     bank_acceleration_max: Annotated[float, Field(ge=0.0, le=1e3)] = 0.0  # rad/s2; 0 = no limit
 
 
-class Atmosphere(_Section):
+class Atmosphere(Section):
     """Constant density as in Table 1, in place of the standard atmosphere."""
 
     density: _Positive  # kg/m3
     sound_speed: _Positive  # m/s, only for the Mach number that is recorded
 
 
-class Validity(_Section):
+class Validity(Section):
     """The range that was fitted, [low, high]."""
 
     mach: tuple[_Number, _Number]
@@ -165,7 +161,7 @@ class Validity(_Section):
     altitude: tuple[_Number, _Number]  # m
 
 
-class PointMass(_Section):
+class PointMass(Section):
     """A whole `point_mass.toml`."""
 
     title: str
@@ -177,7 +173,9 @@ class PointMass(_Section):
     response: Response = Response()
     atmosphere: Atmosphere | None = None
     valid: Validity | None = None  # outside, the loop says so
-    identification: dict[str, Any] = {}  # how, when and how well it was fitted
+    identification: dict[str, Any] = Field(
+        default_factory=dict
+    )  # how, when and how well it was fitted
 
     def initial_mass(self, fuel_fraction: float) -> float:
         """Mass [kg] with a fraction of the internal fuel."""

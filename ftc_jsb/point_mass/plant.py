@@ -1,4 +1,4 @@
-"""The point mass as a plant: (41)-(42) under held commands, by Runge-Kutta steps."""
+"""The point mass as a plant."""
 
 import math
 from typing import Any
@@ -6,126 +6,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.compiled import compiled, direct
-from ftc_jsb.point_mass.dynamics import (
-    derivatives,
-    level_trim_thrust,
-    load_factor_limit,
-    polar_drag,
-    velocity,
+from ftc_jsb.compiled import direct
+from ftc_jsb.point_mass.motion import (
+    POINT_MASS_STATE,
+    point_mass_step,
+    point_mass_truth,
+    trim_thrust,
 )
-from ftc_jsb.point_mass.model import at_condition
-from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
 from ftc_jsb.scenario.schema import Initial
-
-POINT_MASS_STATE = np.dtype(
-    [
-        # airspeed, path, heading, north, east, altitude, load factor and its rate, bank and its rate
-        ("x", float, (10,)),
-        ("rotor_speed", float),
-        ("thrust", float),  # delivered [N]
-    ]
-)
-
-
-@compiled
-def _rates(model: Any, x: Any, thrust: float, load_factor: float, bank: float, out: Any) -> None:
-    """Derivative of the state `x` at a delivered thrust and effective commands."""
-    at = at_condition(model, x[0], x[5])
-    out[6], out[7] = 0.0, 0.0
-    if model.response_frequency[0] > 0.0:
-        frequency, damping = model.response_frequency[0], model.response_damping[0]
-        out[6] = x[7]
-        out[7] = frequency * (frequency * (load_factor - x[6]) - 2.0 * damping * x[7])
-        load_factor = x[6]
-    out[8], out[9] = 0.0, 0.0
-    if model.response_frequency[1] > 0.0:
-        frequency, damping = model.response_frequency[1], model.response_damping[1]
-        out[8] = x[9]
-        acceleration = frequency * (frequency * (bank - x[8]) - 2.0 * damping * x[9])
-        if model.bank_acceleration_max > 0.0:
-            most = model.bank_acceleration_max
-            acceleration = min(max(acceleration, -most), most)
-        out[9] = acceleration
-        bank = x[8]
-    out[0], out[1], out[2] = derivatives(at, x[0], x[1], thrust, load_factor, bank)
-    out[3], out[4], out[5] = velocity(x[0], x[1], x[2])
-
-
-@compiled
-def _runge_kutta(
-    model: Any, x: Any, thrust: float, load_factor: float, bank: float, dt: float
-) -> None:
-    """One classical Runge-Kutta step of `dt` seconds, in place."""
-    size = x.size
-    k1, k2, k3, k4 = np.empty(size), np.empty(size), np.empty(size), np.empty(size)
-    y = np.empty(size)
-    _rates(model, x, thrust, load_factor, bank, k1)
-    for a in range(size):
-        y[a] = x[a] + 0.5 * dt * k1[a]
-    _rates(model, y, thrust, load_factor, bank, k2)
-    for a in range(size):
-        y[a] = x[a] + 0.5 * dt * k2[a]
-    _rates(model, y, thrust, load_factor, bank, k3)
-    for a in range(size):
-        y[a] = x[a] + dt * k3[a]
-    _rates(model, y, thrust, load_factor, bank, k4)
-    for a in range(size):
-        x[a] += dt / 6.0 * (k1[a] + 2.0 * (k2[a] + k3[a]) + k4[a])
-
-
-@compiled
-def point_mass_step(model: Any, state: Any, record: Any, i: int, dt: float, substeps: int) -> None:
-    """Fly the commands of row `i` for `dt` seconds.
-
-    Thrust, load factor and bank in force are written to row `i` where they act at once; the
-    commands are held within the aircraft's limits, the effectiveness of row `i` multiplies them.
-    """
-    m, s, row = model[0], state[0], record[i]
-    x = s.x
-    at = at_condition(m, x[0], x[5])
-    most = load_factor_limit(at, x[0], m.load_factor_max, m.lift_coefficient_max)
-    load_factor = min(max(row.load_factor_cmd, m.load_factor_min), most)
-    load_factor *= row.effectiveness_load_factor
-    bank = row.bank_angle_cmd * row.effectiveness_bank_angle
-    if m.response_frequency[0] == 0.0:
-        x[6] = load_factor
-        row.load_factor = load_factor
-    if m.response_frequency[1] == 0.0:
-        x[8] = bank
-        row.bank_angle = bank
-    for _ in range(substeps):
-        at = at_condition(m, x[0], x[5])
-        if m.spool_up[0] > 0.0:
-            s.rotor_speed = next_rotor_speed(m, at, s.rotor_speed, row.thrust_cmd, dt / substeps)
-            healthy = healthy_thrust(at, s.rotor_speed, row.thrust_cmd)
-        else:
-            healthy = min(max(row.thrust_cmd, at.thrust_idle), at.thrust_maximum)
-        s.thrust = row.effectiveness_thrust * healthy
-        _runge_kutta(m, x, s.thrust, load_factor, bank, dt / substeps)
-        if m.bank_rate_max > 0.0:
-            x[9] = min(max(x[9], -m.bank_rate_max), m.bank_rate_max)
-    if m.spool_up[0] == 0.0:
-        row.thrust = s.thrust
-        row.drag = polar_drag(at, row.airspeed, s.thrust, x[6])[0]
-
-
-@compiled
-def point_mass_truth(model: Any, state: Any, record: Any, i: int) -> None:
-    """Write the state of the aircraft, and what it measures of itself, to row `i`."""
-    m, s, row = model[0], state[0], record[i]
-    x = s.x
-    at = at_condition(m, x[0], x[5])
-    row.airspeed, row.flight_path_angle, row.heading = x[0], x[1], x[2]
-    row.north, row.east, row.altitude = x[3], x[4], x[5]
-    row.load_factor, row.bank_angle = x[6], x[8]
-    row.thrust = s.thrust
-    row.drag, row.alpha = polar_drag(at, x[0], s.thrust, x[6])
-    row.mach = x[0] / at.sound_speed
-    row.mass = m.mass
-    row.airspeed_meas, row.flight_path_angle_meas, row.heading_meas = x[0], x[1], x[2]
-    row.north_meas, row.east_meas, row.altitude_meas = x[3], x[4], x[5]
-    row.load_factor_meas, row.bank_angle_meas = x[6], x[8]
 
 
 class PointMassPlant:
@@ -166,12 +54,3 @@ class PointMassPlant:
 
     def close(self) -> None:
         """Nothing to release."""
-
-
-@compiled
-def trim_thrust(model: Any, airspeed: float, altitude: float, path: float) -> tuple[float, float]:
-    """Thrust [N] of level trim within the engine's limits, and the rotor speed that gives it."""
-    at = at_condition(model[0], airspeed, altitude)
-    thrust = level_trim_thrust(at, airspeed, path)
-    thrust = min(max(thrust, at.thrust_idle), at.thrust_maximum)
-    return thrust, rotor_speed_target(at, thrust)

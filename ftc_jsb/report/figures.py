@@ -13,10 +13,11 @@ from matplotlib.figure import Figure
 
 from ftc_jsb.disturbance.faults import CHANNELS, fault_steps
 from ftc_jsb.metrics import unobservable
+from ftc_jsb.report.validity import COMPARED
 from ftc_jsb.report.words import loop_title, model_title
+from ftc_jsb.scenario.limits import tracking_errors
 from ftc_jsb.scenario.schema import Channel
 from ftc_jsb.simulation.flight import Flight
-from ftc_jsb.simulation.limits import tracking_errors
 
 Flights = dict[str, Flight]
 Array = npt.NDArray[np.float64]
@@ -178,33 +179,26 @@ def differences(flights: Flights) -> Figure | None:
     pairs, styles = model_pairs(flights), _styles(flights)
     if not pairs:
         return None
-    rows: tuple[tuple[str, str, Callable[[Array], Array]], ...] = (
-        ("airspeed", "Airspeed [m/s]", _same),
-        ("flight_path_angle", "Flight path [deg]", np.degrees),
-        ("heading", "Heading [deg]", np.degrees),
-        ("thrust_cmd", "Thrust command [kN]", _kilo),
-        ("load_factor", "Load factor [-]", _same),
-        ("bank_angle", "Bank angle [deg]", np.degrees),
-    )
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(
-            len(rows), len(pairs), figsize=(3.1 * max(len(pairs), 2), 1.05 * len(rows) + 0.7),
+            len(COMPARED), len(pairs),
+            figsize=(3.1 * max(len(pairs), 2), 1.05 * len(COMPARED) + 0.7),
             sharex=True, squeeze=False,
         )  # fmt: skip
         for column, (title, couples) in enumerate(pairs.items()):
             grid[0, column].set_title(f"{title} minus JSBSim")
-            for row, (name, label, convert) in enumerate(rows):
+            for row, (name, quantity, unit, factor) in enumerate(COMPARED):
                 axes = grid[row, column]
                 for point_mass, six_dof in couples:
                     style = styles[loop_title(point_mass.scenario)]
                     count = min(point_mass.record.size, six_dof.record.size)
                     one, other = point_mass.record[:count], six_dof.record[:count]
-                    difference = convert(one[name]) - convert(other[name])
+                    difference = factor * (one[name] - other[name])
                     step = max(count // POINTS, 1)
                     axes.plot(one["time"][::step], difference[::step], **style)
                 _mark_faults(axes, [six_dof for _, six_dof in couples])
                 if column == 0:
-                    axes.set_ylabel(label)
+                    axes.set_ylabel(f"{quantity} [{unit or '-'}]")
             grid[-1, column].set_xlabel("Time [s]")
         figure.align_ylabels()
         _legend(figure, flights, reference=False)

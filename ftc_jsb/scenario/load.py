@@ -10,8 +10,8 @@ from pydantic import ValidationError
 
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.resources import shipped
-from ftc_jsb.scenario.messages import first_problem
 from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.typed_file import first_problem
 
 
 def scenario_names() -> list[str]:

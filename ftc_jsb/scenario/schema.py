@@ -6,7 +6,9 @@ Angles are in degrees in the file (`_deg`) and in radians everywhere else; `refe
 
 from typing import Annotated, Literal, Self
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
+
+from ftc_jsb.typed_file import Section
 
 Model = Literal["paper", "identified", "jsbsim"]
 Channel = Literal["thrust", "load_factor", "bank_angle"]
@@ -22,11 +24,7 @@ _Bound = Annotated[float, Field(ge=-1e6, le=1e6)]
 LONGEST_RECORDING = 4_000_000  # samples: 11 h at 100 Hz, about 3 GB
 
 
-class _Section(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class AircraftChoice(_Section):
+class AircraftChoice(Section):
     """[aircraft]: flown by the models `identified` and `jsbsim`."""
 
     name: _Text = "f16"
@@ -34,7 +32,7 @@ class AircraftChoice(_Section):
     fuel_fraction: float = Field(0.43, ge=0.0, le=1.0)  # of internal fuel
 
 
-class Initial(_Section):
+class Initial(Section):
     """[initial]: trimmed flight at the start, and the origin of the tangent plane."""
 
     airspeed: float = Field(300.0, ge=50.0, le=600.0)  # m/s
@@ -45,7 +43,7 @@ class Initial(_Section):
     longitude_deg: float = Field(8.0, ge=-180.0, le=180.0)
 
 
-class Reference(_Section):
+class Reference(Section):
     """[reference]: breakpoints [time s, value], linear between and held outside; command filter."""
 
     filter_frequency: float = Field(3.0, ge=0.05, le=50.0)  # rad/s
@@ -74,7 +72,7 @@ class Reference(_Section):
         return self
 
 
-class Estimator(_Section):
+class Estimator(Section):
     """[loop.estimator]: covariances, gate and bounds of the filter."""
 
     channels: Annotated[tuple[Channel, ...], Field(min_length=1, max_length=3)] = ("thrust",)
@@ -101,7 +99,7 @@ class Estimator(_Section):
         return self
 
 
-class Detector(_Section):
+class Detector(Section):
     """[loop.detector]: when a loss of effectiveness is declared."""
 
     margin: float = Field(0.1, ge=0.001, le=0.9)  # loss that is put down to the models
@@ -109,7 +107,7 @@ class Detector(_Section):
     hold: float = Field(0.2, ge=0.0, le=10.0)  # s
 
 
-class Loop(_Section):
+class Loop(Section):
     """[loop]: the outer loop, its rate, gains and estimator."""
 
     name: _Text = "ftc"
@@ -124,7 +122,7 @@ class Loop(_Section):
     detector: Detector = Detector()
 
 
-class Fault(_Section):
+class Fault(Section):
     """[[fault]]: a loss of effectiveness of one channel."""
 
     target: Channel = "thrust"
@@ -150,7 +148,7 @@ class Fault(_Section):
         return self
 
 
-class Sensors(_Section):
+class Sensors(Section):
     """[sensors]: the outer loop sees the true state."""
 
     profile: Literal["perfect"] = "perfect"
@@ -162,7 +160,7 @@ def _still(speed: float) -> float:
     return speed
 
 
-class Wind(_Section):
+class Wind(Section):
     """[wind]: still air."""
 
     speed: Annotated[float, AfterValidator(_still)] = 0.0  # m/s
@@ -170,7 +168,7 @@ class Wind(_Section):
     turbulence: Literal["none"] = "none"
 
 
-class Simulation(_Section):
+class Simulation(Section):
     """[simulation]: how finely the plants are integrated inside a sample of the outer loop."""
 
     jsbsim_steps: int = Field(2, ge=1, le=100)  # JSBSim frames a sample: 200 Hz at 100 Hz
@@ -180,7 +178,7 @@ class Simulation(_Section):
 _Range = tuple[_Bound, _Bound]
 
 
-class Limits(_Section):
+class Limits(Section):
     """[limits]: [low, high]; a flight that leaves one fails."""
 
     airspeed: _Range | None = None  # m/s
@@ -204,7 +202,7 @@ class Limits(_Section):
         return self
 
 
-class Compare(_Section):
+class Compare(Section):
     """[compare]: what `compare` flies."""
 
     models: Annotated[tuple[Model, ...], Field(min_length=1)] = ("paper", "identified", "jsbsim")
@@ -218,7 +216,7 @@ class Compare(_Section):
         return self
 
 
-class Scenario(_Section):
+class Scenario(Section):
     """A whole scenario file."""
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]

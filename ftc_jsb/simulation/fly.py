@@ -15,13 +15,13 @@ from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import effectiveness
 from ftc_jsb.errors import AircraftError, LoopError, ScenarioError
 from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
+from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.reference import raw_commands
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.flight import Flight, Outcome
 from ftc_jsb.simulation.monitor import FLYING, REASONS, departed
 from ftc_jsb.simulation.plant import Plant
 from ftc_jsb.simulation.variables import ROW
-from ftc_jsb.six_dof.aircraft import PAPER_AIRCRAFT, aircraft_folder
 
 Observer = Callable[[npt.NDArray[Any], int], None]  # recording, row just completed
 SLOWEST_JSBSIM = 80.0  # [Hz]: the inner loop's bandwidth of 36 1/s with a margin

@@ -15,11 +15,11 @@ import numpy as np
 
 import ftc_jsb
 from ftc_jsb.errors import RecordingError, ScenarioError
+from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.load import parse_scenario, scenario_toml
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.flight import Flight, Outcome
 from ftc_jsb.simulation.variables import ROW, VARIABLES
-from ftc_jsb.six_dof.aircraft import PAPER_AIRCRAFT, aircraft_folder
 
 if TYPE_CHECKING:
     import xarray

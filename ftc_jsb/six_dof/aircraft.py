@@ -4,23 +4,17 @@ import tomllib
 from pathlib import Path
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import Field, ValidationError
 
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.resources import shipped
-from ftc_jsb.scenario.messages import first_problem
-
-PAPER_AIRCRAFT = "paper"  # the aircraft of the model `paper`
+from ftc_jsb.resources import aircraft_folder
+from ftc_jsb.typed_file import Section, first_problem
 
 _Name = Annotated[str, Field(min_length=1, max_length=200)]
 _Value = Annotated[float, Field(ge=-1e9, le=1e9)]
 
 
-class _Strict(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class Edit(_Strict):
+class Edit(Section):
     """One change of the aircraft's XML, refused if the element does not hold what is expected."""
 
     element: _Name  # path below the root, as in xml.etree
@@ -29,7 +23,7 @@ class Edit(_Strict):
     remove: bool = False
 
 
-class Correction(_Strict):
+class Correction(Section):
     """A named repair of the stock flight control system, with its reason."""
 
     name: _Name
@@ -37,7 +31,7 @@ class Correction(_Strict):
     edit: tuple[Edit, ...]
 
 
-class Positions(_Strict):
+class Positions(Section):
     """Properties of the control positions, in rad; throttle with 1 at military, 2 at full reheat."""
 
     throttle: _Name
@@ -47,7 +41,7 @@ class Positions(_Strict):
     flap: _Name
 
 
-class FlightTest(_Strict):
+class FlightTest(Section):
     """The range that identification flies, and so the range in which the point mass is valid."""
 
     airspeed: tuple[_Value, _Value]  # m/s
@@ -58,7 +52,7 @@ class FlightTest(_Strict):
     lift_coefficient_max: Annotated[float, Field(gt=0.0, le=10.0)]
 
 
-class Aircraft(_Strict):
+class Aircraft(Section):
     """An aircraft folder: JSBSim model, set-up, corrections, control positions."""
 
     name: _Name
@@ -70,28 +64,6 @@ class Aircraft(_Strict):
     flight_test: FlightTest
     correction: tuple[Correction, ...] = ()
     folder: Path = Field(default=Path(), exclude=True)
-
-
-def aircraft_folder(name: str) -> Path:
-    """Folder of an aircraft: a bare name is a shipped one, `./name` or any other path a folder.
-
-    Raises:
-        AircraftError: there is no such folder.
-    """
-    plain = Path(name).name == name  # a bare name is a shipped aircraft, whatever lies around
-    for candidate in (shipped("aircraft") / name,) if plain else (Path(name),):
-        if any((candidate / file).is_file() for file in ("point_mass.toml", "aircraft.toml")):
-            return candidate.resolve()
-    known = ", ".join(aircraft_names())
-    raise AircraftError(
-        f"aircraft.name: no aircraft {name!r}; expected one of {known}, "
-        "or the path of a folder (./mine) that holds point_mass.toml"
-    )
-
-
-def aircraft_names() -> list[str]:
-    """Names of the shipped aircraft."""
-    return sorted(path.parent.name for path in shipped("aircraft").glob("*/point_mass.toml"))
 
 
 def load_aircraft(name: str) -> Aircraft:

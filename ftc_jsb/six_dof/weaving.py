@@ -4,7 +4,6 @@ The shipped files are GPL and are read from the installed jsbsim package at run 
 copy lives in the user's cache folder and is never part of this project.
 """
 
-import copy
 import hashlib
 import os
 import shutil
@@ -16,10 +15,10 @@ import platformdirs
 
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.six_dof.aircraft import Aircraft, Edit
+from ftc_jsb.six_dof.engine_deck import apply_effectiveness, deck_system, required, thrust_tables
 
 DECK_SYSTEM = "ftc_engine_deck"
 INNER_LOOP_SYSTEM = "ftc_inner_loop"
-EFFECTIVENESS = "ftc/effectiveness/engine"  # one a engine: [0], [1]; 1 = healthy
 
 
 def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
@@ -46,7 +45,8 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
         if not path.is_file():
             raise AircraftError(f"aircraft {aircraft.name!r}: {path} not found")
     digest = hashlib.sha256(jsbsim.__version__.encode())
-    for path in (Path(__file__), model_file, inner_loop):
+    own = (Path(__file__), Path(__file__).with_name("engine_deck.py"))
+    for path in (*own, model_file, inner_loop):
         digest.update(path.read_bytes())
     digest.update(f"{aircraft.model_dump_json()}{corrected}".encode())
     cache = Path(platformdirs.user_cache_dir("ftc-jsb")) / "aircraft"
@@ -85,19 +85,19 @@ def _weave(
         name = engine.attrib["file"]
         original = _find_engine(package, source, name)
         engine_tree = ET.parse(original)
-        decks.append(_thrust_tables(engine_tree.getroot(), original))
-        _apply_effectiveness(engine_tree.getroot())
+        decks.append(thrust_tables(engine_tree.getroot(), original))
+        apply_effectiveness(engine_tree.getroot())
         engine_tree.write(engines_folder / f"{name}.xml")
         for thruster in engine.findall("thruster"):
             shutil.copy(_find_engine(package, source, thruster.attrib["file"]), engines_folder)
     shutil.rmtree(root / "aircraft" / model / "Engines", ignore_errors=True)
-    _deck_system(decks).write(root / "systems" / f"{DECK_SYSTEM}.xml")
+    deck_system(decks).write(root / "systems" / f"{DECK_SYSTEM}.xml")
     shutil.copy(inner_loop, root / "systems" / f"{INNER_LOOP_SYSTEM}.xml")
     if corrected:
         for correction in aircraft.correction:
             for edit in correction.edit:
                 _edit(fdm, aircraft.name, correction.name, edit)
-    place = list(fdm).index(_required(fdm, "flight_control"))
+    place = list(fdm).index(required(fdm, "flight_control"))
     for system in (INNER_LOOP_SYSTEM, DECK_SYSTEM):
         fdm.insert(place, ET.Element("system", file=system))
     tree.write(root / "aircraft" / model / f"{model}.xml")
@@ -110,13 +110,6 @@ def _find_engine(package: Path, source: Path, name: str) -> Path:
     raise AircraftError(f"engine file {name}.xml not found in {source} or {package / 'engine'}")
 
 
-def _required(parent: ET.Element, path: str) -> ET.Element:
-    found = parent.find(path)
-    if found is None:
-        raise AircraftError(f"{parent.get('name', parent.tag)}: expected an element {path!r}")
-    return found
-
-
 def _edit(fdm: ET.Element, aircraft: str, correction: str, edit: Edit) -> None:
     element = fdm.find(edit.element)
     text = (element.text or "").strip() if element is not None else None
@@ -126,85 +119,7 @@ def _edit(fdm: ET.Element, aircraft: str, correction: str, edit: Edit) -> None:
             f"expected {edit.expect!r}; the installed jsbsim differs from the one it was written for"
         )
     if edit.remove:
-        parent = _required(fdm, edit.element.rsplit("/", 1)[0])
+        parent = required(fdm, edit.element.rsplit("/", 1)[0])
         parent.remove(element)
     else:
         element.text = edit.replace
-
-
-# --- engines ---------------------------------------------------------------------------------
-
-
-def _thrust_tables(engine: ET.Element, path: Path) -> dict[str, ET.Element]:
-    """Healthy idle, military and maximum thrust [lbs] as JSBSim functions of the engine's tables."""
-    if engine.tag != "turbine_engine":
-        raise AircraftError(f"{path}: a {engine.tag}; only turbine engines can be woven")
-    tables = {f.attrib["name"]: f[0] for f in engine.findall("function")}
-    for name in ("IdleThrust", "MilThrust"):
-        if name not in tables:
-            raise AircraftError(f"{path}: no function {name!r}; the thrust deck needs it")
-    military = _required(engine, "milthrust").text or ""
-    idle = _node("product", _value(military), tables["IdleThrust"])
-    spread = _node("difference", _value("1"), tables["IdleThrust"])
-    dry = _node("sum", tables["IdleThrust"], _node("product", spread, tables["MilThrust"]))
-    decks = {"idle": idle, "military": _node("product", _value(military), dry)}
-    decks["maximum"] = decks["military"]
-    if "AugThrust" in tables:
-        maximum = _required(engine, "maxthrust").text or ""
-        decks["maximum"] = _node("product", _value(maximum), tables["AugThrust"])
-    return decks
-
-
-def _apply_effectiveness(engine: ET.Element) -> None:
-    """Multiply the thrust tables by the effectiveness k, so that thrust is k times the healthy one.
-
-    JSBSim adds to idle thrust i the military part (1 - i) m, so m takes k (1 - i) / (1 - k i) in
-    place of k.
-    """
-    effectiveness = ET.Element("property")
-    effectiveness.text = f"{EFFECTIVENESS}[#]"  # JSBSim puts the engine's number for #
-    tables = {f.attrib["name"]: (f, f[0]) for f in engine.findall("function")}
-    idle = tables["IdleThrust"][1]
-    for name in ("IdleThrust", "MilThrust", "AugThrust"):
-        if name not in tables:
-            continue
-        function, table = tables[name]
-        factors = [effectiveness, table]
-        if name == "MilThrust":
-            lost = _node("product", effectiveness, idle)
-            factors.append(
-                _node(
-                    "quotient",
-                    _node("difference", _value("1"), idle),
-                    _node("difference", _value("1"), lost),
-                )
-            )
-        function.remove(table)
-        function.append(_node("product", *factors))
-
-
-def _deck_system(decks: list[dict[str, ET.Element]]) -> ET.ElementTree:
-    """A JSBSim system that declares the effectiveness of each engine and publishes the deck."""
-    system = ET.Element("system", name="ftc engine deck")
-    for number in range(len(decks)):
-        declared = ET.SubElement(system, "property", value="1")
-        declared.text = f"{EFFECTIVENESS}[{number}]"
-    channel = ET.SubElement(system, "channel", name="engine deck")
-    for level in ("idle", "military", "maximum"):
-        function = ET.SubElement(channel, "fcs_function", name=f"ftc/deck/{level}-lbs")
-        total = [deck[level] for deck in decks]
-        node = _node("sum", *total) if len(total) > 1 else copy.deepcopy(total[0])
-        ET.SubElement(function, "function").append(node)
-    return ET.ElementTree(system)
-
-
-def _node(tag: str, *children: ET.Element) -> ET.Element:
-    element = ET.Element(tag)
-    element.extend(copy.deepcopy(child) for child in children)
-    return element
-
-
-def _value(text: str) -> ET.Element:
-    element = ET.Element("value")
-    element.text = text.strip()
-    return element

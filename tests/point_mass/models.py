@@ -8,7 +8,7 @@ from ftc_jsb.point_mass.drag import angle_of_attack, drag_coefficient, drag_slop
 from ftc_jsb.point_mass.dynamics import derivatives, level_trim_thrust, polar_drag
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.parameters import load_point_mass
-from ftc_jsb.six_dof.aircraft import aircraft_folder
+from ftc_jsb.resources import aircraft_folder
 
 PAPER = load_point_mass(aircraft_folder("paper")).record(0.0)
 F16 = load_point_mass(aircraft_folder("f16")).record(0.43)

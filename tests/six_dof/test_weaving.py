@@ -10,9 +10,10 @@ from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.six_dof.aircraft import Correction, Edit, load_aircraft
+from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
 from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.six_dof.trim import load, trimmed
-from ftc_jsb.six_dof.weaving import EFFECTIVENESS, woven_aircraft
+from ftc_jsb.six_dof.weaving import woven_aircraft
 from ftc_jsb.units import POUND_FORCE
 
 F16 = load_aircraft("f16")

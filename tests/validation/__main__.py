@@ -18,10 +18,10 @@ from ftc_jsb.estimation.general import make_filter
 from ftc_jsb.metrics import flight_metrics, passed
 from ftc_jsb.point_mass.parameters import load_point_mass
 from ftc_jsb.report.consistency import consistency_figure
+from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.scenario.load import load_scenario, scenario_names
 from ftc_jsb.simulation.fly import blank_recording, fly
 from ftc_jsb.simulation.recording import versions
-from ftc_jsb.six_dof.aircraft import aircraft_folder
 from ftc_jsb.theory.along_flight import flight_remainder, flight_stability
 from ftc_jsb.theory.approximation import estimate_bounds
 from ftc_jsb.theory.generated import generate

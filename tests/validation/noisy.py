@@ -4,7 +4,7 @@ import numpy as np
 
 from ftc_jsb.estimation.consistency import Consistency, consistency
 from ftc_jsb.point_mass.parameters import load_point_mass
-from ftc_jsb.six_dof.aircraft import aircraft_folder
+from ftc_jsb.resources import aircraft_folder
 
 DT = 0.01  # [s]
 MEASUREMENT = np.array([1e-2, 1e-6, 1e-6])  # (0.1 m/s)^2, (1 mrad)^2

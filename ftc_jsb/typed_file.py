@@ -1,10 +1,17 @@
-"""One clear sentence out of a pydantic error."""
+"""Typed TOML files: sections that refuse unknown keys, and one clear sentence for what is wrong."""
 
 import difflib
 from collections.abc import Iterator
 from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+
+class Section(BaseModel):
+    """A section of a file: unknown keys, nan and infinity are refused; it cannot be changed."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
 
 # What pydantic says of a Python type, in words of the file.
 _EXPECTED = {

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from ftc_jsb.scenario.limits import broken_limits
 from ftc_jsb.scenario.schema import Limits
-from ftc_jsb.simulation.limits import broken_limits
 from ftc_jsb.simulation.variables import ROW
 
 

@@ -1,0 +1,96 @@
+"""The engine's part of the weaving: effectiveness at the thrust tables, and the deck published."""
+
+import copy
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+from ftc_jsb.errors import AircraftError
+
+EFFECTIVENESS = "ftc/effectiveness/engine"  # one a engine: [0], [1]; 1 = healthy
+
+
+def thrust_tables(engine: ET.Element, path: Path) -> dict[str, ET.Element]:
+    """Healthy idle, military and maximum thrust [lbs] as JSBSim functions of the engine's tables."""
+    if engine.tag != "turbine_engine":
+        raise AircraftError(f"{path}: a {engine.tag}; only turbine engines can be woven")
+    tables = {f.attrib["name"]: f[0] for f in engine.findall("function")}
+    for name in ("IdleThrust", "MilThrust"):
+        if name not in tables:
+            raise AircraftError(f"{path}: no function {name!r}; the thrust deck needs it")
+    military = required(engine, "milthrust").text or ""
+    idle = _node("product", _value(military), tables["IdleThrust"])
+    spread = _node("difference", _value("1"), tables["IdleThrust"])
+    dry = _node("sum", tables["IdleThrust"], _node("product", spread, tables["MilThrust"]))
+    decks = {"idle": idle, "military": _node("product", _value(military), dry)}
+    decks["maximum"] = decks["military"]
+    if "AugThrust" in tables:
+        maximum = required(engine, "maxthrust").text or ""
+        decks["maximum"] = _node("product", _value(maximum), tables["AugThrust"])
+    return decks
+
+
+def apply_effectiveness(engine: ET.Element) -> None:
+    """Multiply the thrust tables by the effectiveness k, so that thrust is k times the healthy one.
+
+    JSBSim adds to idle thrust i the military part (1 - i) m, so m takes k (1 - i) / (1 - k i) in
+    place of k.
+    """
+    effectiveness = ET.Element("property")
+    effectiveness.text = f"{EFFECTIVENESS}[#]"  # JSBSim puts the engine's number for #
+    tables = {f.attrib["name"]: (f, f[0]) for f in engine.findall("function")}
+    idle = tables["IdleThrust"][1]
+    for name in ("IdleThrust", "MilThrust", "AugThrust"):
+        if name not in tables:
+            continue
+        function, table = tables[name]
+        factors = [effectiveness, table]
+        if name == "MilThrust":
+            lost = _node("product", effectiveness, idle)
+            factors.append(
+                _node(
+                    "quotient",
+                    _node("difference", _value("1"), idle),
+                    _node("difference", _value("1"), lost),
+                )
+            )
+        function.remove(table)
+        function.append(_node("product", *factors))
+
+
+def deck_system(decks: list[dict[str, ET.Element]]) -> ET.ElementTree:
+    """A JSBSim system that declares the effectiveness of each engine and publishes the deck."""
+    system = ET.Element("system", name="ftc engine deck")
+    for number in range(len(decks)):
+        declared = ET.SubElement(system, "property", value="1")
+        declared.text = f"{EFFECTIVENESS}[{number}]"
+    channel = ET.SubElement(system, "channel", name="engine deck")
+    for level in ("idle", "military", "maximum"):
+        function = ET.SubElement(channel, "fcs_function", name=f"ftc/deck/{level}-lbs")
+        total = [deck[level] for deck in decks]
+        node = _node("sum", *total) if len(total) > 1 else copy.deepcopy(total[0])
+        ET.SubElement(function, "function").append(node)
+    return ET.ElementTree(system)
+
+
+def _node(tag: str, *children: ET.Element) -> ET.Element:
+    element = ET.Element(tag)
+    element.extend(copy.deepcopy(child) for child in children)
+    return element
+
+
+def _value(text: str) -> ET.Element:
+    element = ET.Element("value")
+    element.text = text.strip()
+    return element
+
+
+def required(parent: ET.Element, path: str) -> ET.Element:
+    """Element of `parent` at `path`.
+
+    Raises:
+        AircraftError: there is none.
+    """
+    found = parent.find(path)
+    if found is None:
+        raise AircraftError(f"{parent.get('name', parent.tag)}: expected an element {path!r}")
+    return found
