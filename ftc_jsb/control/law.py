@@ -74,10 +74,10 @@ def control_law(
     load_factor = effectiveness[1] * trim_load_factor
     bank_angle = effectiveness[2] * trim_bank_angle
     force, force_to_thrust, force_to_load = airspeed_row(at, airspeed, thrust, load_factor)
-    rates = path_rates(at, airspeed, flight_path_angle, force, load_factor, bank_angle)
+    cos_bank, sin_bank = math.cos(bank_angle), math.sin(bank_angle)
+    rates = path_rates(at, airspeed, flight_path_angle, force, load_factor, cos_bank, sin_bank)
     climb = airspeed / at.gravity * (flight_path_rate - rates[1])
     turn = airspeed / at.gravity * math.cos(flight_path_angle) * (heading_rate - rates[2])
-    cos_bank, sin_bank = math.cos(bank_angle), math.sin(bank_angle)
     divisor = load_factor
     if abs(divisor) < SMALLEST_LOAD_FACTOR:
         divisor = math.copysign(SMALLEST_LOAD_FACTOR, load_factor)

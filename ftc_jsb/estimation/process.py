@@ -52,13 +52,15 @@ def _rates(
     flight_path_angle: float,
     thrust: float,
     load_factor: float,
-    bank_angle: float,
+    cos_bank: float,
+    sin_bank: float,
 ) -> tuple[float, float, float]:
+    """(41); `thrust` is along the path where drag is measured, along the body where it is not."""
     if forcing.measured_drag:
         drag = 0.5 * at.density * airspeed * airspeed * at.area * forcing.drag_coefficient
-        force = thrust * math.cos(forcing.alpha) - drag
-        return path_rates(at, airspeed, flight_path_angle, force, load_factor, bank_angle)
-    return derivatives(at, airspeed, flight_path_angle, thrust, load_factor, bank_angle)
+        force = thrust - drag
+        return path_rates(at, airspeed, flight_path_angle, force, load_factor, cos_bank, sin_bank)
+    return derivatives(at, airspeed, flight_path_angle, thrust, load_factor, cos_bank, sin_bank)
 
 
 @compiled
@@ -83,12 +85,15 @@ def propagate(at: Condition, forcing: Forcing, filter_state: Any, point: Any, dt
             load_factor *= point[i]
         else:
             bank_angle *= point[i]
+    if forcing.measured_drag:
+        thrust *= math.cos(forcing.alpha)
+    cb, sb = math.cos(bank_angle), math.sin(bank_angle)
     v, p, h = point[0], point[1], point[2]
     half = 0.5 * dt
-    a1, b1, c1 = _rates(at, forcing, v, p, thrust, load_factor, bank_angle)
-    a2, b2, c2 = _rates(at, forcing, v + half * a1, p + half * b1, thrust, load_factor, bank_angle)
-    a3, b3, c3 = _rates(at, forcing, v + half * a2, p + half * b2, thrust, load_factor, bank_angle)
-    a4, b4, c4 = _rates(at, forcing, v + dt * a3, p + dt * b3, thrust, load_factor, bank_angle)
+    a1, b1, c1 = _rates(at, forcing, v, p, thrust, load_factor, cb, sb)
+    a2, b2, c2 = _rates(at, forcing, v + half * a1, p + half * b1, thrust, load_factor, cb, sb)
+    a3, b3, c3 = _rates(at, forcing, v + half * a2, p + half * b2, thrust, load_factor, cb, sb)
+    a4, b4, c4 = _rates(at, forcing, v + dt * a3, p + dt * b3, thrust, load_factor, cb, sb)
     point[0] = v + dt / 6.0 * (a1 + 2.0 * (a2 + a3) + a4)
     point[1] = p + dt / 6.0 * (b1 + 2.0 * (b2 + b3) + b4)
     point[2] = h + dt / 6.0 * (c1 + 2.0 * (c2 + c3) + c4)

@@ -20,6 +20,8 @@ def aerodynamic_state(
     pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
     normal_coefficient = load_factor * at.mass * at.gravity / pressure_area
     alpha = angle_of_attack(at, normal_coefficient)
+    if alpha == 0.0:
+        return normal_coefficient, 0.0
     lift_coefficient = normal_coefficient - thrust * math.sin(alpha) / pressure_area
     return lift_coefficient, angle_of_attack(at, lift_coefficient)
 
@@ -41,19 +43,21 @@ def path_rates(
     flight_path_angle: float,
     along_path_force: float,
     load_factor: float,
-    bank_angle: float,
+    cos_bank: float,
+    sin_bank: float,
 ) -> tuple[float, float, float]:
     """Rates of airspeed [m/s^2], flight path angle and heading [rad/s]: (41).
 
-    `along_path_force` is T cos(alpha) - D [N]; the paper has alpha = 0.
+    `along_path_force` is T cos(alpha) - D [N]; the paper has alpha = 0. The bank angle comes as its
+    cosine and sine, which stay the same where this is called many times with one bank.
     """
     g = at.gravity
     weight = at.mass * g
     cos_path = math.cos(flight_path_angle)
     return (
         g * (along_path_force / weight - math.sin(flight_path_angle)),
-        g / airspeed * (load_factor * math.cos(bank_angle) - cos_path),
-        g * load_factor * math.sin(bank_angle) / (airspeed * cos_path),
+        g / airspeed * (load_factor * cos_bank - cos_path),
+        g * load_factor * sin_bank / (airspeed * cos_path),
     )
 
 
@@ -64,7 +68,8 @@ def derivatives(
     flight_path_angle: float,
     thrust: float,
     load_factor: float,
-    bank_angle: float,
+    cos_bank: float,
+    sin_bank: float,
 ) -> tuple[float, float, float]:
     """(41) with the drag polar: rates of airspeed, flight path angle and heading.
 
@@ -74,14 +79,15 @@ def derivatives(
         flight_path_angle: [rad]
         thrust: delivered [N]
         load_factor: [-]
-        bank_angle: about the velocity [rad]
+        cos_bank, sin_bank: of the bank angle about the velocity
 
     Returns:
         [m/s^2], [rad/s], [rad/s]. Singular at zero airspeed and at a vertical path.
     """
     drag, alpha = polar_drag(at, airspeed, thrust, load_factor)
-    force = thrust * math.cos(alpha) - drag
-    return path_rates(at, airspeed, flight_path_angle, force, load_factor, bank_angle)
+    along = thrust * math.cos(alpha) if alpha != 0.0 else thrust
+    force = along - drag
+    return path_rates(at, airspeed, flight_path_angle, force, load_factor, cos_bank, sin_bank)
 
 
 @compiled

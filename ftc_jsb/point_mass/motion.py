@@ -1,5 +1,6 @@
 """Flight of the point mass under held commands: (41)-(42), responses and spool by Runge-Kutta steps."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -26,8 +27,20 @@ POINT_MASS_STATE = np.dtype(
 
 
 @compiled
-def _rates(model: Any, x: Any, thrust: float, load_factor: float, bank: float, out: Any) -> None:
-    """Derivative of the state `x` at a delivered thrust and effective commands."""
+def _rates(
+    model: Any,
+    x: Any,
+    thrust: float,
+    load_factor: float,
+    bank: float,
+    cb: float,
+    sb: float,
+    out: Any,
+) -> None:
+    """Derivative of the state `x` at a delivered thrust and effective commands.
+
+    `cb` and `sb` are cosine and sine of the commanded bank, which acts where there is no lag.
+    """
     at = at_condition(model, x[0], x[5])
     out[6], out[7] = 0.0, 0.0
     if model.response_frequency[0] > 0.0:
@@ -44,8 +57,8 @@ def _rates(model: Any, x: Any, thrust: float, load_factor: float, bank: float, o
             most = model.bank_acceleration_max
             acceleration = min(max(acceleration, -most), most)
         out[9] = acceleration
-        bank = x[8]
-    out[0], out[1], out[2] = derivatives(at, x[0], x[1], thrust, load_factor, bank)
+        cb, sb = math.cos(x[8]), math.sin(x[8])
+    out[0], out[1], out[2] = derivatives(at, x[0], x[1], thrust, load_factor, cb, sb)
     out[3], out[4], out[5] = velocity(x[0], x[1], x[2])
 
 
@@ -57,16 +70,17 @@ def _runge_kutta(
     size = x.size
     k1, k2, k3, k4 = np.empty(size), np.empty(size), np.empty(size), np.empty(size)
     y = np.empty(size)
-    _rates(model, x, thrust, load_factor, bank, k1)
+    cb, sb = math.cos(bank), math.sin(bank)
+    _rates(model, x, thrust, load_factor, bank, cb, sb, k1)
     for a in range(size):
         y[a] = x[a] + 0.5 * dt * k1[a]
-    _rates(model, y, thrust, load_factor, bank, k2)
+    _rates(model, y, thrust, load_factor, bank, cb, sb, k2)
     for a in range(size):
         y[a] = x[a] + 0.5 * dt * k2[a]
-    _rates(model, y, thrust, load_factor, bank, k3)
+    _rates(model, y, thrust, load_factor, bank, cb, sb, k3)
     for a in range(size):
         y[a] = x[a] + dt * k3[a]
-    _rates(model, y, thrust, load_factor, bank, k4)
+    _rates(model, y, thrust, load_factor, bank, cb, sb, k4)
     for a in range(size):
         x[a] += dt / 6.0 * (k1[a] + 2.0 * (k2[a] + k3[a]) + k4[a])
 

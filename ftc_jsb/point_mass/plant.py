@@ -21,17 +21,17 @@ class PointMassPlant:
 
     def __init__(self, model: npt.NDArray[Any], initial: Initial, dt: float, substeps: int) -> None:
         """Args: (1,) MODEL; initial condition; sample time [s]; Runge-Kutta steps a sample."""
-        self._model = model
+        self.model = model
         self._initial = initial
-        self._dt = dt
-        self._substeps = substeps
-        self._state = np.zeros(1, POINT_MASS_STATE)
+        self.dt = dt
+        self.substeps = substeps
+        self.state = np.zeros(1, POINT_MASS_STATE)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
         """Level trim at the initial condition; binds the recording to write to."""
-        initial, model = self._initial, self._model
+        initial, model = self._initial, self.model
         path = math.radians(initial.flight_path_deg)
-        state = self._state[0]
+        state = self.state[0]
         x = state["x"]
         x[:] = 0.0
         x[0], x[1], x[2] = initial.airspeed, path, math.radians(initial.heading_deg)
@@ -40,17 +40,17 @@ class PointMassPlant:
             model, initial.airspeed, initial.altitude, path
         )
         self._record = record
-        arguments = (model, self._state, record, 0)
+        arguments = (model, self.state, record, 0)
         self._truth = direct(point_mass_truth, *arguments)
-        self._step = direct(point_mass_step, *arguments, self._dt, self._substeps)
+        self._step = direct(point_mass_step, *arguments, self.dt, self.substeps)
 
     def truth(self, i: int) -> None:
         """Write state and measurements to row `i`."""
-        self._truth(self._model, self._state, self._record, i)
+        self._truth(self.model, self.state, self._record, i)
 
     def step(self, i: int) -> None:
         """Fly the commands of row `i` for one sample."""
-        self._step(self._model, self._state, self._record, i, self._dt, self._substeps)
+        self._step(self.model, self.state, self._record, i, self.dt, self.substeps)
 
     def close(self) -> None:
         """Nothing to release."""

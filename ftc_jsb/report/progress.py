@@ -33,11 +33,14 @@ class Progress:
         columns = (*Bar.get_default_columns(), TextColumn("{task.fields[seconds]} s flown"))
         bar = Bar(*columns, TimeElapsedColumn(), console=Console(stderr=True), transient=True)
         samples = self._scenario.samples
+        shown = [0]
         task = bar.add_task(label, total=samples, seconds="0")
 
         def observe(record: npt.NDArray[Any], i: int) -> None:
-            if i % EVERY == 0:
+            if i - shown[0] >= EVERY:
+                shown[0] = i
                 bar.update(task, completed=i, seconds=f"{record[i]['time']:.0f}")
 
+        observe.coarse = True  # type: ignore[attr-defined]
         with bar:
             yield (observe,)

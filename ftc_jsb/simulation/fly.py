@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from ftc_jsb.compiled import direct
 from ftc_jsb.control.command_filter import command_filter, reference_step
-from ftc_jsb.control.loops import build_loop
+from ftc_jsb.control.loops import CompiledLoop, RecordedLoop, build_loop
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import effectiveness
 from ftc_jsb.errors import AircraftError, LoopError, ScenarioError
@@ -24,6 +24,7 @@ from ftc_jsb.simulation.plant import Plant
 from ftc_jsb.simulation.variables import ROW
 
 Observer = Callable[[npt.NDArray[Any], int], None]  # recording, row just completed
+STRETCH = 2000  # samples flown in one compiled call: Ctrl-C and progress wait for no more
 SLOWEST_JSBSIM = 80.0  # [Hz]: the inner loop's bandwidth of 36 1/s with a margin
 
 
@@ -34,7 +35,8 @@ def fly(
 
     Args:
         scenario: as loaded; `scenario.model` and `scenario.loop.name` say what is flown.
-        observers: called after every sample with the recording and the row; they watch only.
+        observers: called after every sample with the recording and the row; they watch only. One with
+            an attribute `coarse` that is true may be called every STRETCH samples instead.
         plant: in place of the model's own (a user's aircraft, an independent integration).
 
     Returns:
@@ -64,8 +66,16 @@ def fly(
     outcome = Outcome("complete", scenario.duration, "")
     rows = 0
     started = time.perf_counter()
+    stretch = _fused(plant, loop, observers, filters, record)
     try:
-        for i in range(record.size):
+        while stretch is not None and rows < record.size and outcome.status == "complete":
+            last, reason = stretch(rows, min(rows + STRETCH, record.size))
+            rows = last + 1
+            if reason != FLYING:
+                outcome = Outcome("departed", last * dt, REASONS[reason])
+            for observe in observers:
+                observe(record, last)
+        for i in range(record.size if stretch is None else 0):
             plant.truth(i)
             refer(filters, record, i)
             reason = check(record, i)
@@ -86,6 +96,29 @@ def fly(
         plant.close()
     elapsed = time.perf_counter() - started
     return Flight(scenario, record[:rows], outcome, rows * dt / elapsed)
+
+
+def _fused(
+    plant: Plant,
+    loop: RecordedLoop,
+    observers: Sequence[Observer],
+    filters: npt.NDArray[Any],
+    record: npt.NDArray[Any],
+) -> Callable[[int, int], tuple[int, int]] | None:
+    """`fused.point_mass_flight` for this flight, as (first, beyond) to (last row, reason).
+
+    None where a sample needs Python: another plant, a user's loop, an observer of every sample.
+    """
+    from ftc_jsb.point_mass.plant import PointMassPlant
+    from ftc_jsb.simulation.fused import point_mass_flight
+
+    if not isinstance(plant, PointMassPlant) or not isinstance(loop, CompiledLoop):
+        return None
+    if not all(getattr(observe, "coarse", False) for observe in observers):
+        return None
+    fixed = (loop.settings, plant.model, loop.state, plant.state, filters, record)
+    run = direct(point_mass_flight, *fixed, 0, 1, plant.dt, plant.substeps)
+    return lambda first, beyond: run(*fixed, first, beyond, plant.dt, plant.substeps)
 
 
 def refuse_unflyable(scenario: Scenario) -> None:

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 from scipy.signal import lsim
 
-from ftc_jsb.control.command_filter import command_filter, reference_step
+from ftc_jsb.control.command_filter import _exponential, command_filter, reference_step
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import blank_recording
 
@@ -36,3 +37,15 @@ def test_filter_starts_at_rest_on_the_first_command():
     record = filtered(load_scenario("paper"))
     np.testing.assert_allclose(record["airspeed_ref"], 300.0, rtol=1e-14)
     np.testing.assert_allclose(record["airspeed_ref_rate"], 0.0, atol=1e-10)
+
+
+@pytest.mark.parametrize("damping", [0.1, 1.0, 5.0])
+@pytest.mark.parametrize("dt", [1e-3, 0.1, 1.0])
+def test_matrix_exponential_is_scipys(damping, dt):
+    """The filter's matrices at the corners of what a scenario allows: 1e-10 of the largest element."""
+    for frequency in (0.05, 3.0, 50.0):
+        a = np.array([[0.0, 1.0], [-(frequency**2), -2.0 * damping * frequency]]) * dt
+        expected = expm(a)
+        np.testing.assert_allclose(
+            _exponential(a), expected, rtol=0.0, atol=1e-10 * np.abs(expected).max()
+        )

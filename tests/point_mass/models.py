@@ -1,5 +1,6 @@
 """Models and conditions that the point-mass tests share."""
 
+import math
 from typing import Any
 
 from ftc_jsb.compiled import compiled
@@ -20,7 +21,7 @@ MODELS = {"paper": PAPER, "f16": F16}
 
 @compiled
 def rates(model: Any, v: float, h: float, path: float, t: float, n: float, bank: float) -> Any:
-    return derivatives(at_condition(model[0], v, h), v, path, t, n, bank)
+    return derivatives(at_condition(model[0], v, h), v, path, t, n, math.cos(bank), math.sin(bank))
 
 
 @compiled

@@ -1,0 +1,48 @@
+"""A stretch of point-mass flight in one compiled call: what `fly` does sample by sample, without Python.
+
+The kernels are the same and in the same order, so the flight is the same to the bit (a test compares).
+"""
+
+from typing import Any
+
+from ftc_jsb.compiled import compiled
+from ftc_jsb.control.command_filter import reference_step
+from ftc_jsb.control.outer_loop import outer_loop_step
+from ftc_jsb.point_mass.motion import point_mass_step, point_mass_truth
+from ftc_jsb.simulation.monitor import FLYING, departed
+
+
+@compiled
+def point_mass_flight(
+    settings: Any,
+    model: Any,
+    loop_state: Any,
+    plant_state: Any,
+    filters: Any,
+    record: Any,
+    first: int,
+    beyond: int,
+    dt: float,
+    substeps: int,
+) -> tuple[int, int]:
+    """Fly rows `first` to `beyond - 1` of a recording.
+
+    Args:
+        settings, model, loop_state: as `outer_loop_step` takes them.
+        plant_state, dt, substeps: as `point_mass_step` takes them.
+        filters: as `reference_step` takes them.
+        record: (rows,) of the recording.
+        first, beyond: range of rows.
+
+    Returns:
+        The last row that was begun, and why it was not flown on from (FLYING if it was).
+    """
+    for i in range(first, beyond):
+        point_mass_truth(model, plant_state, record, i)
+        reference_step(filters, record, i)
+        reason = departed(record, i)
+        if reason != FLYING:
+            return i, reason
+        outer_loop_step(settings, model, loop_state, record, i)
+        point_mass_step(model, plant_state, record, i, dt, substeps)
+    return beyond - 1, FLYING
