@@ -86,9 +86,10 @@ def test_integrator_converges_at_fourth_order(flown, name):
     """2 Hz control held fixed, the plant's substeps doubled twice: the error falls 16-fold each time.
 
     64 substeps are the reference. Order 4 +- 0.1; control is slow so that errors stand far above
-    rounding (at 100 Hz there is nothing but rounding left to see).
+    rounding (at 100 Hz there is nothing but rounding left to see), and the loop has no filter, which
+    magnifies rounding.
     """
-    slow = ("loop.rate=2", "loop.trim_filter=1", "duration=30")
+    slow = ("loop.name=integral", "loop.rate=2", "loop.trim_filter=1", "duration=30")
     flights = {
         steps: flown("paper", *slow, f"simulation.point_mass_steps={steps}").record[name]
         for steps in (1, 2, 4, 64)
