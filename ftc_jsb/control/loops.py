@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import direct
-from ftc_jsb.control.outer_loop import (
+from ftc_jsb.control.loop_records import (
     ASSUMED_HEALTHY,
     ESTIMATED,
     EXTENDED,
@@ -20,8 +20,8 @@ from ftc_jsb.control.outer_loop import (
     NO_ESTIMATOR,
     TRUE,
     UNSCENTED,
-    outer_loop_step,
 )
+from ftc_jsb.control.outer_loop import outer_loop_step
 from ftc_jsb.control.protocol import LoopSetup, OuterLoop
 from ftc_jsb.control.python_loop import PythonLoop
 from ftc_jsb.disturbance.faults import CHANNELS

@@ -1,0 +1,51 @@
+"""Settings and state of the outer loop, as the records that its kernels read and write."""
+
+import numpy as np
+
+from ftc_jsb.estimation.detector import DETECTOR
+from ftc_jsb.estimation.process import FILTER, OUTPUTS, STATES
+
+NO_ESTIMATOR, UNSCENTED, EXTENDED = 0, 1, 2
+ESTIMATED, ASSUMED_HEALTHY, TRUE = 0, 1, 2
+
+LOOP_SETTINGS = np.dtype(
+    [
+        ("dt", float),  # [s]
+        ("estimator", np.int64),  # NO_ESTIMATOR, UNSCENTED or EXTENDED
+        ("effectiveness", np.int64),  # the law's: ESTIMATED, ASSUMED_HEALTHY or TRUE
+        ("gains", float, (3,)),  # K_c [1/s]
+        ("integral_gains", float, (3,)),  # [1/s^2]
+        ("track_path", np.int64),  # 1: y is the position, of index 2
+        ("path_gains", float, (2,)),  # of position [1/s^2] and velocity errors [1/s]
+        ("trim_filter", float),  # zeta of (10) [1/s]
+        ("effectiveness_floor", float),  # sigma: the least effectiveness the law divides by
+        ("lead", float, (2,)),  # [s] of load factor and bank, against the inner loop's lag
+        ("process_noise", float, (STATES,)),
+        ("measurement_noise", float, (OUTPUTS,)),
+        ("initial_covariance", float, (STATES,)),
+        ("spread", float),  # n_a + kappa of (26)
+        ("gate", float),  # bound on the normalised innovation squared; 0 = off
+        ("gate_patience", np.int64),
+        ("bounded", np.int64),  # 1: estimates kept in [sigma, 1]
+        ("detector_margin", float),
+        ("detector_sigmas", float),
+        ("detector_hold", float),  # [s]
+    ]
+)
+
+LOOP_STATE = np.dtype(
+    [
+        ("trim", float, (3,)),  # u_n of (10): thrust [N], load factor, bank [rad]
+        ("demand", float, (3,)),  # limited u of the previous sample
+        ("integral", float, (3,)),  # of the tracking errors
+        ("rotor_speed", float),  # of the healthy engine that the loop imagines
+        ("thrust", float),  # that engine's thrust [N]
+        ("drag_coefficient", float),  # measured, of the previous sample
+        ("alpha", float),  # [rad]
+        ("load_factor", float),
+        ("bank_angle", float),  # [rad]
+        ("measurement", float, (OUTPUTS,)),
+        ("filter", FILTER),
+        ("detector", DETECTOR),
+    ]
+)
