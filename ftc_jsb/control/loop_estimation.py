@@ -11,6 +11,7 @@ from ftc_jsb.estimation.process import OUTPUTS, Forcing
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
+from ftc_jsb.point_mass.response import lag_step
 from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed
 
 
@@ -41,6 +42,34 @@ def estimates_channel(f: Any, channel: int) -> bool:
 
 
 @compiled
+def _acting(m: Any, x: Any, axis: int, measured: float, dt: float) -> float:
+    """Load factor (axis 0) or bank (1) that acted over the sample, as the process model takes it.
+
+    At once what was demanded, where the aircraft has no lag (the paper's). Else what is measured; but
+    where the channel's own effectiveness is estimated, that would hide the loss: then the response of a
+    healthy inner loop to the commands, which the filter multiplies by its estimate.
+    """
+    if m.response_frequency[axis] == 0.0:
+        return float(x.demand[1 + axis])
+    before = x.response[axis, 0]
+    rate_max = m.bank_rate_max if axis == 1 else 0.0
+    acceleration_max = m.bank_acceleration_max if axis == 1 else 0.0
+    x.response[axis, 0], x.response[axis, 1] = lag_step(
+        before,
+        x.response[axis, 1],
+        x.command[axis],
+        m.response_frequency[axis],
+        m.response_damping[axis],
+        rate_max,
+        acceleration_max,
+        dt,
+    )
+    if estimates_channel(x.filter, 1 + axis) or not math.isfinite(measured):
+        return float(0.5 * (before + x.response[axis, 0]))
+    return measured
+
+
+@compiled
 def estimate(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     """Predict over the sample that has passed and correct by what is measured now."""
     thrust = x.demand[0]
@@ -54,13 +83,8 @@ def estimate(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     drag_coefficient, alpha, load_factor, bank_angle = sensed(m, at, row)
     mean_drag = 0.5 * (x.drag_coefficient + drag_coefficient)
     mean_alpha = 0.5 * (x.alpha + alpha)
-    acting_load_factor, acting_bank_angle = x.demand[1], x.demand[2]
-    if m.response_frequency[0] > 0.0 and not estimates_channel(x.filter, 1):
-        mean = 0.5 * (x.load_factor + load_factor)
-        acting_load_factor = mean if math.isfinite(mean) else acting_load_factor
-    if m.response_frequency[1] > 0.0 and not estimates_channel(x.filter, 2):
-        mean = 0.5 * (x.bank_angle + bank_angle)
-        acting_bank_angle = mean if math.isfinite(mean) else acting_bank_angle
+    acting_load_factor = _acting(m, x, 0, 0.5 * (x.load_factor + load_factor), s.dt)
+    acting_bank_angle = _acting(m, x, 1, 0.5 * (x.bank_angle + bank_angle), s.dt)
     x.drag_coefficient, x.alpha = drag_coefficient, alpha
     x.load_factor, x.bank_angle = load_factor, bank_angle
     if s.estimator == NO_ESTIMATOR:

@@ -37,6 +37,8 @@ LOOP_STATE = np.dtype(
     [
         ("trim", float, (3,)),  # u_n of (10): thrust [N], load factor, bank [rad]
         ("demand", float, (3,)),  # limited u of the previous sample
+        ("command", float, (2,)),  # load factor and bank sent to the plant, lead included
+        ("response", float, (2, 2)),  # of a healthy inner loop to them: value and rate
         ("integral", float, (3,)),  # of the tracking errors
         ("rotor_speed", float),  # of the healthy engine that the loop imagines
         ("thrust", float),  # that engine's thrust [N]

@@ -53,6 +53,9 @@ def _start(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     for k in range(3):
         x.demand[k] = x.trim[k]
         x.integral[k] = 0.0
+    for axis in range(2):
+        x.command[axis] = x.trim[1 + axis]
+        x.response[axis, 0], x.response[axis, 1] = x.trim[1 + axis], 0.0
     x.rotor_speed = rotor_speed_target(at, x.trim[0])
     x.thrust = healthy_thrust(at, x.rotor_speed, x.trim[0])
     x.drag_coefficient, x.alpha, x.load_factor, x.bank_angle = sensed(m, at, row)
@@ -143,6 +146,7 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     with_lead = x.demand[1] + s.lead[0] * load_factor_rate
     row.load_factor_cmd = min(max(with_lead, m.load_factor_min), load_max)
     row.bank_angle_cmd = x.demand[2] + s.lead[1] * bank_rate
+    x.command[0], x.command[1] = row.load_factor_cmd, row.bank_angle_cmd
     share = 1.0 - math.exp(-s.trim_filter * s.dt)
     for k in range(CHANNELS):  # (10), exact for a command held over the sample
         x.trim[k] += share * (x.demand[k] - x.trim[k])

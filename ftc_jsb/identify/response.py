@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.identify.regression import Array
+from ftc_jsb.point_mass.response import lag_step
 
 
 class Lag(NamedTuple):
@@ -19,7 +20,7 @@ class Lag(NamedTuple):
     residual: float  # RMS, in the variable's unit
 
 
-UNLIMITED = 1e9
+UNLIMITED = 0.0
 
 
 @compiled
@@ -31,21 +32,17 @@ def second_order(
     acceleration_max: float,
     dt: float,
 ) -> Any:
-    """Response of w^2 / (s^2 + 2 z w s + w^2) to held commands, rate and acceleration limited.
+    """Response of the lag to held commands, from rest on the first; (samples,) in and out.
 
-    Starts at rest on the first command; (samples,) in and out. Midpoint steps.
+    Limits of rate and acceleration as in `point_mass.response.lag_step`.
     """
     out = np.empty(command.size)
-    x, v = command[0], 0.0
+    value, rate = command[0], 0.0
     for i in range(command.size):
-        out[i] = x
-        acceleration = frequency * (frequency * (command[i] - x) - 2.0 * damping * v)
-        acceleration = min(max(acceleration, -acceleration_max), acceleration_max)
-        x_mid, v_mid = x + 0.5 * dt * v, v + 0.5 * dt * acceleration
-        acceleration = frequency * (frequency * (command[i] - x_mid) - 2.0 * damping * v_mid)
-        acceleration = min(max(acceleration, -acceleration_max), acceleration_max)
-        v = min(max(v + dt * acceleration, -rate_max), rate_max)
-        x += dt * v_mid
+        out[i] = value
+        value, rate = lag_step(
+            value, rate, command[i], frequency, damping, rate_max, acceleration_max, dt
+        )
     return out
 
 

@@ -32,6 +32,7 @@ STYLES: tuple[dict[str, Any], ...] = (
 )
 REFERENCE: dict[str, Any] = {"color": "#222222", "linestyle": "-", "linewidth": 0.7}
 CHANNEL_TITLES = {"thrust": "Thrust", "load_factor": "Load factor", "bank_angle": "Bank angle"}
+UNOBSERVABLE: dict[str, Any] = {"color": "#bbbbbb", "alpha": 0.35, "lw": 0}
 POINTS = 1500  # of a line; more cannot be seen
 
 RC: dict[Any, Any] = {
@@ -153,25 +154,19 @@ def estimates(flights: Flights, channel: Channel = "thrust") -> Figure:
         grid[1, 0].set_ylabel("Error [-]")
         for axes in grid[1]:
             axes.set_ylim(-0.05, 0.05)
-        _legend(figure, flights, reference=True, reference_title="true")
+        _legend(figure, flights, reference=True, reference_title="true", unobservable_title=True)
     return figure
 
 
 def _mark_unobservable(axes: Axes, flight: Flight, channel: Channel) -> None:
-    """Grey bands, named, where the measurements tell nothing of the channel."""
+    """Grey bands where the measurements tell nothing of the channel."""
     if channel not in flight.scenario.loop.estimator.channels:
         return
     hidden = unobservable(flight, channel)
     edges = np.flatnonzero(np.diff(np.concatenate([[0], hidden.astype(int), [0]])))
     time = flight.record["time"]
     for start, end in zip(edges[::2], edges[1::2], strict=True):
-        left, right = time[start], time[end - 1]
-        axes.axvspan(left, right, color="#bbbbbb", alpha=0.35, lw=0)
-        if right - left > 5.0:
-            axes.annotate(
-                "not observable here", ((left + right) / 2.0, 0.04), xycoords=("data", "axes fraction"),
-                ha="center", fontsize=6.5, color="#555555",
-            )  # fmt: skip
+        axes.axvspan(time[start], time[end - 1], **UNOBSERVABLE)
 
 
 def differences(flights: Flights) -> Figure | None:
@@ -299,14 +294,21 @@ def _grid(
 
 
 def _legend(
-    figure: Figure, flights: Flights, reference: bool, reference_title: str = "reference"
+    figure: Figure,
+    flights: Flights,
+    reference: bool,
+    reference_title: str = "reference",
+    unobservable_title: bool = False,
 ) -> None:
     styles = _styles(flights)
-    lines = [mpl.lines.Line2D([], [], **style) for style in styles.values()]
+    lines: list[Any] = [mpl.lines.Line2D([], [], **style) for style in styles.values()]
     titles = list(styles)
     if reference:
         lines.append(mpl.lines.Line2D([], [], **REFERENCE))
         titles.append(reference_title)
+    if unobservable_title:
+        lines.append(mpl.patches.Patch(**UNOBSERVABLE))
+        titles.append("not observable here")
     figure.legend(lines, titles, loc="outside lower center", ncols=len(titles))
 
 
