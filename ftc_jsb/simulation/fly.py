@@ -24,6 +24,7 @@ from ftc_jsb.simulation.plant import Plant
 from ftc_jsb.simulation.variables import ROW
 
 Observer = Callable[[npt.NDArray[Any], int], None]  # recording, row just completed
+Advance = Callable[[int, int], tuple[int, int]]  # first row, row beyond -> last row, reason
 STRETCH = 2000  # samples flown in one compiled call: Ctrl-C and progress wait for no more
 SLOWEST_JSBSIM = 80.0  # [Hz]: the inner loop's bandwidth of 36 1/s with a margin
 
@@ -59,38 +60,26 @@ def fly(
     reference = scenario.reference
     start = (0.0, 0.0, scenario.initial.altitude)
     filters = command_filter(reference.filter_frequency, reference.filter_damping, dt, first, start)
-    refer = direct(reference_step, filters, record, 0)
-    check = direct(departed, record, 0)
     loop = build_loop(setup, model, record)
     plant.reset(record)
     outcome = Outcome("complete", scenario.duration, "")
     rows = 0
     started = time.perf_counter()
-    stretch = _fused(plant, loop, observers, filters, record)
+    advance, length = _advance(plant, loop, observers, filters, record)
     try:
-        while stretch is not None and rows < record.size and outcome.status == "complete":
-            last, reason = stretch(rows, min(rows + STRETCH, record.size))
+        while rows < record.size:
+            last, reason = advance(rows, min(rows + length, record.size))
             rows = last + 1
             if reason != FLYING:
                 outcome = Outcome("departed", last * dt, REASONS[reason])
+                break
             for observe in observers:
                 observe(record, last)
-        for i in range(record.size if stretch is None else 0):
-            plant.truth(i)
-            refer(filters, record, i)
-            reason = check(record, i)
-            rows = i + 1
-            if reason != FLYING:
-                outcome = Outcome("departed", i * dt, REASONS[reason])
-                break
-            loop.step(i)
-            plant.step(i)
-            for observe in observers:
-                observe(record, i)
     except (AircraftError, LoopError) as error:
+        rows = max(rows, 1)  # a row that has not been flown is not kept, but for the first
         outcome = Outcome("failed", (rows - 1) * dt, str(error))
     except KeyboardInterrupt:
-        rows = max(rows - 1, 1)  # the row at hand may be half written
+        rows = max(rows, 1)
         outcome = Outcome("interrupted", rows * dt, "interrupted")
     finally:
         plant.close()
@@ -98,27 +87,39 @@ def fly(
     return Flight(scenario, record[:rows], outcome, rows * dt / elapsed)
 
 
-def _fused(
+def _advance(
     plant: Plant,
     loop: RecordedLoop,
     observers: Sequence[Observer],
     filters: npt.NDArray[Any],
     record: npt.NDArray[Any],
-) -> Callable[[int, int], tuple[int, int]] | None:
-    """`fused.point_mass_flight` for this flight, as (first, beyond) to (last row, reason).
+) -> tuple[Advance, int]:
+    """How this flight goes on, and by how many rows at a time.
 
-    None where a sample needs Python: another plant, a user's loop, an observer of every sample.
+    In compiled stretches where nothing needs Python in between; else a sample at a time: another
+    plant, a user's loop, an observer of every sample.
     """
     from ftc_jsb.point_mass.plant import PointMassPlant
     from ftc_jsb.simulation.fused import point_mass_flight
 
-    if not isinstance(plant, PointMassPlant) or not isinstance(loop, CompiledLoop):
-        return None
-    if not all(getattr(observe, "coarse", False) for observe in observers):
-        return None
-    fixed = (loop.settings, plant.model, loop.state, plant.state, filters, record)
-    run = direct(point_mass_flight, *fixed, 0, 1, plant.dt, plant.substeps)
-    return lambda first, beyond: run(*fixed, first, beyond, plant.dt, plant.substeps)
+    coarse = all(getattr(observe, "coarse", False) for observe in observers)
+    if isinstance(plant, PointMassPlant) and isinstance(loop, CompiledLoop) and coarse:
+        fixed = (loop.settings, plant.model, loop.state, plant.state, filters, record)
+        run = direct(point_mass_flight, *fixed, 0, 1, plant.dt, plant.substeps)
+        return lambda first, beyond: run(*fixed, first, beyond, plant.dt, plant.substeps), STRETCH
+    refer = direct(reference_step, filters, record, 0)
+    check = direct(departed, record, 0)
+
+    def sample(i: int, _: int) -> tuple[int, int]:
+        plant.truth(i)
+        refer(filters, record, i)
+        reason: int = check(record, i)
+        if reason == FLYING:
+            loop.step(i)
+            plant.step(i)
+        return i, reason
+
+    return sample, 1
 
 
 def refuse_unflyable(scenario: Scenario) -> None:

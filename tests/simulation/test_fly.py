@@ -149,7 +149,7 @@ def test_flight_that_departs_ends_with_time_and_reason():
 
 
 def test_interruption_keeps_what_was_flown():
-    """Ctrl-C at row 1234: 1234 complete rows, and the status says so."""
+    """Ctrl-C after row 1234 is complete: it and the 1234 before it, and the status says so."""
 
     def interrupt(record, i):
         if i == 1234:
@@ -157,9 +157,9 @@ def test_interruption_keeps_what_was_flown():
 
     flight = fly(load_scenario("paper"), observers=[interrupt])
     assert flight.outcome.status == "interrupted"
-    assert flight.record.size == 1234
+    assert flight.record.size == 1235
     whole = fly(load_scenario("paper")).record
-    np.testing.assert_array_equal(flight.record["airspeed"], whole["airspeed"][:1234])
+    np.testing.assert_array_equal(flight.record["airspeed"], whole["airspeed"][:1235])
 
 
 def test_observers_change_nothing(flown):

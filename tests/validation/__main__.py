@@ -1,9 +1,7 @@
 """`make validate`: many flights and long ones, measured and written to docs/validation.md."""
 
 import datetime
-import json
 import sys
-import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
@@ -11,76 +9,21 @@ from typing import Any
 
 import numpy as np
 
-from ftc_jsb.control.loops import CompiledLoop
-from ftc_jsb.control.nonaffine import make_law
 from ftc_jsb.errors import UserError
-from ftc_jsb.estimation.general import make_filter
-from ftc_jsb.metrics import flight_metrics, passed
-from ftc_jsb.point_mass.parameters import load_point_mass
-from ftc_jsb.report.consistency import consistency_figure
-from ftc_jsb.resources import aircraft_folder
+from ftc_jsb.metrics import passed
 from ftc_jsb.scenario.load import load_scenario, scenario_names
-from ftc_jsb.simulation.fly import blank_recording, fly
 from ftc_jsb.simulation.recording import versions
-from ftc_jsb.theory.along_flight import flight_remainder, flight_stability
-from ftc_jsb.theory.approximation import estimate_bounds
-from ftc_jsb.theory.generated import generate
-from ftc_jsb.theory.linearization import linearize
-from ftc_jsb.theory.systems import fighter_by_velocity, textbook_plant
-from tests.validation.noisy import noisy_flights
+from tests.validation.cost import cost_table, long_flights
+from tests.validation.flights import measured, random_manoeuvre
+from tests.validation.theory import (
+    bounds_table,
+    consistency_section,
+    remainder_table,
+    stability_table,
+)
 
 TARGET = Path(__file__).parents[2] / "docs" / "validation.md"
 PROCESSES = 2
-
-
-def measured(scenario: str, *overrides: str) -> dict[str, Any]:
-    """Metrics of one flight, and the seconds it took."""
-    started = time.perf_counter()
-    flight = fly(load_scenario(scenario, overrides))
-    elapsed = time.perf_counter() - started
-    if flight.outcome.status != "complete":
-        raise UserError(f"{scenario} {overrides}: {flight.outcome.status}: {flight.outcome.reason}")
-    late = np.abs(flight.record["effectiveness_thrust_est"] - flight.record["effectiveness_thrust"])
-    wrong = np.flatnonzero(~(late <= 0.01))
-    return {
-        **flight_metrics(flight),
-        "last_wrong_s": float(flight.record["time"][wrong[-1]]) if wrong.size else 0.0,
-        "elapsed_s": elapsed,
-    }
-
-
-def random_manoeuvre(seed: int) -> list[str]:
-    """A seeded manoeuvre: turns at 2-6 deg/s to +-40 deg, climbs to +-6 deg, a loss of thrust.
-
-    220-300 m/s, 2500-5000 m, effectiveness 0.6-0.9 from 10-40 s: what 0.6 of the F-16's thrust
-    can pay for.
-    """
-    random = np.random.default_rng(seed)
-    airspeed = round(float(random.uniform(220.0, 300.0)), 1)
-    heading = _profile(random, 3.0, (2.0, 6.0), 40.0)
-    path = _profile(random, 5.0, (0.4, 1.5), 6.0)
-    return [
-        f"initial.airspeed={airspeed}",
-        f"reference.airspeed=[[0, {airspeed}]]",
-        f"initial.altitude={random.uniform(2500.0, 5000.0):.0f}",
-        f"reference.heading_deg={json.dumps(heading)}",
-        f"reference.flight_path_deg={json.dumps(path)}",
-        f"fault[0].effectiveness={random.uniform(0.6, 0.9):.3f}",
-        f"fault[0].start={random.uniform(10.0, 40.0):.1f}",
-    ]
-
-
-def _profile(
-    random: np.random.Generator, start: float, rates: tuple[float, float], amplitude: float
-) -> list[list[float]]:
-    points, now, value = [[0.0, 0.0]], start, 0.0
-    while now < 55.0:
-        following = round(float(random.uniform(-amplitude, amplitude)), 2)
-        duration = abs(following - value) / random.uniform(*rates) + 0.5
-        points += [[round(now, 2), value], [round(now + duration, 2), following]]
-        value = following
-        now += duration + random.uniform(0.5, 6.0)
-    return points
 
 
 def scenarios_table() -> Iterator[str]:
@@ -182,140 +125,6 @@ def random_table(count: int) -> Iterator[str]:
     yield f"\n{good} of {count} flights stayed inside every limit."
 
 
-def remainder_table() -> Iterator[str]:
-    """Proposition 4 and Remark 5 along the paper's flight."""
-    yield "| trim input | largest norm of O(.) | RMS |"
-    yield "|---|---|---|"
-    for zeta in (5, 10, 20, 30, 40, 50, 100, 200):
-        size = flight_remainder(fly(load_scenario("paper", [f"loop.trim_filter={zeta}"])))
-        yield f"| (10), ζ = {zeta} 1/s | {size.max():.3g} | {np.sqrt(np.mean(size**2)):.3g} |"
-    flight = fly(load_scenario("paper"))
-    for delay in (0.2, 0.1, 0.05, 0.02, 0.01):
-        size = flight_remainder(flight, delay)
-        yield f"| u(t − {delay:g} s) | {size.max():.3g} | {np.sqrt(np.mean(size**2)):.3g} |"
-
-
-def stability_table() -> Iterator[str]:
-    """(37)-(40) along flights."""
-    yield "| model | loop | λ [1/s] | φ | ball radius | largest error | V below its bound |"
-    yield "|" + "---|" * 7
-    for model in ("paper", "identified", "jsbsim"):
-        for loop in ("ftc", "no-ftc"):
-            proof = flight_stability(
-                fly(load_scenario("paper", [f"model={model}", f"loop.name={loop}"]))
-            )
-            yield (
-                f"| {model} | {loop} | {proof.rate:.2f} | {proof.disturbance:.3g} "
-                f"| {proof.radius:.3g} | {proof.error.max():.3g} "
-                f"| {'yes' if proof.obeyed else 'no'} |"
-            )
-
-
-def bounds_table() -> Iterator[str]:
-    """L_1, g_M and L_2 of (8)-(9) over stated boxes."""
-    yield "| system | box | L₁ | g_M | L₂ | largest ‖O‖/‖u − u_n‖ met |"
-    yield "|---|---|---|---|---|---|"
-    one = np.array([[-1.0, 1.0], [-1.0, 1.0], [-2.0, 2.0]])
-    fighter = np.array([[200, 340], [-0.15, 0.15], [-3, 3], [0, 1.1], [0.5, 5], [-1.4, 1.4]], float)
-    for system, box, words, scale in (
-        (textbook_plant(), one, "x₁, x₂ ∈ [−1, 1], u ∈ [−2, 2]", np.ones(1)),
-        (
-            fighter_by_velocity(),
-            fighter,
-            "V 200–340 m/s, γ ±0.15, T 0–110 kN in units of 100 kN, n 0.5–5, bank ±1.4",
-            np.array([1e5, 1.0, 1.0]),
-        ),
-    ):
-        kernels = generate(linearize(system))
-        n, m = len(system.states), len(system.inputs)
-        healthy = np.ones(m)
-
-        def dynamics(x, u, kernels=kernels, n=n, scale=scale, healthy=healthy):
-            out = np.zeros(n)
-            kernels.dynamics(x, scale * u, healthy, kernels.parameters, out)
-            return out
-
-        def gain(x, u, kernels=kernels, n=n, m=m, scale=scale, healthy=healthy):
-            out = np.zeros((n, m))
-            kernels.trim_gain(x, scale * u, healthy, kernels.parameters, out)
-            return out * scale
-
-        found = estimate_bounds(dynamics, gain, box[:, 0], box[:, 1], m)
-        yield (
-            f"| {system.name} | {words} | {found.lipschitz:.3g} | {found.gain:.3g} "
-            f"| {found.remainder:.3g} | {found.remainder_found:.3g} |"
-        )
-
-
-def consistency_section() -> Iterator[str]:
-    """NEES and NIS of 200 noisy flights, and the figure."""
-    found = {channels: noisy_flights(channels) for channels in (1, 3)}
-    figure = consistency_figure(found, 0.01)
-    figure.savefig(TARGET.parent / "images" / "consistency.png", dpi=150)
-    yield "| estimated channels | NEES inside its band [% of the time] | NIS [%] |"
-    yield "|---|---|---|"
-    for channels, result in found.items():
-        nees, nis = result.inside()
-        yield f"| {channels} | {100 * nees:.1f} | {100 * nis:.1f} |"
-    yield ""
-    yield "![NEES and NIS of 200 flights with their bands](images/consistency.png)"
-
-
-def cost_table() -> Iterator[str]:
-    """What a step costs, called from Python."""
-    model = load_point_mass(aircraft_folder("paper")).record(0.0)
-    scenario = load_scenario("paper")
-    record = blank_recording(scenario)
-    record[:] = fly(scenario).record
-    loop = CompiledLoop("ftc", scenario.loop, model, 0.01, record)
-    kernels = generate(linearize(fighter_by_velocity()))
-    law = make_law(kernels)
-    x, u, k = np.array([300.0, 0.0, 0.1]), np.array([4e4, 2.0, 0.5]), np.ones(3)
-    arguments = (x, u, k, kernels.parameters, x, np.eye(3), x.copy(), np.zeros(15), np.zeros(3))
-    law(*arguments)
-    loop.step(0)
-    estimate = make_filter(kernels, 3, 3, 3)
-    noise = np.array([1e-10, 1e-10, 1e-3, 1e-10, 1e-10, 1e-10])
-    given_filter = (
-        np.concatenate([x, k]), np.diag(1e2 * noise), u, x.copy(), kernels.parameters, noise,
-        noise[:3].copy(), 3.0, 0.05, 0.01,
-    )  # fmt: skip
-    estimate(*given_filter)
-    yield "| step | µs |"
-    yield "|---|---|"
-    for title, function, given in (
-        ("whole outer loop `ftc`: UKF, law, limits, trim filter, detector", loop.step, (1000,)),
-        ("general law from generated code, fighter", law, arguments),
-        ("general filter from generated code, fighter, six states", estimate, given_filter),
-    ):
-        times = []
-        for _ in range(7):
-            started = time.perf_counter()
-            for _ in range(20000):
-                function(*given)
-            times.append((time.perf_counter() - started) / 20000 * 1e6)
-        yield f"| {title} | {np.median(times):.2f} |"
-
-
-def long_flights() -> Iterator[str]:
-    """Time against duration: linear, and one hour of flight."""
-    yield "| model | 1 min [s] | 10 min [s] | 60 min [s] | µs a step at 60 min |"
-    yield "|---|---|---|---|---|"
-    for model in ("paper", "jsbsim"):
-        measured("nominal", f"model={model}", "duration=1")
-        times = [
-            measured(
-                "nominal",
-                f"model={model}",
-                f"duration={60 * minutes}",
-                "aircraft.fuel_fraction=1.0",
-            )["elapsed_s"]
-            for minutes in (1, 10, 60)
-        ]
-        step = times[2] / 360000 * 1e6
-        yield f"| {model} | {times[0]:.2f} | {times[1]:.2f} | {times[2]:.2f} | {step:.1f} |"
-
-
 def main() -> int:
     """Fly everything and write the page."""
     made = ", ".join(f"{name} {version}" for name, version in versions().items())
@@ -349,7 +158,7 @@ def main() -> int:
         (
             "Sixty random manoeuvres on the JSBSim F-16",
             "Turns, climbs, speeds, altitudes and faults from seeds 1000 to 1059 "
-            "(`tests/validation/__main__.py`, `random_manoeuvre`); nothing was tuned to them.",
+            "(`tests/validation/flights.py`, `random_manoeuvre`); nothing was tuned to them.",
             lambda: random_table(60),
         ),
         (
