@@ -2,7 +2,7 @@
 
 import tomllib
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError
 
@@ -17,6 +17,7 @@ _Value = Annotated[float, Field(ge=-1e9, le=1e9)]
 class Edit(Section):
     """One change of the aircraft's XML, refused if the element does not hold what is expected."""
 
+    file: str = Field("", max_length=200)  # engine or system it is in; empty = the aircraft's own
     element: _Name  # path below the root, as in xml.etree
     expect: str  # the element's text in the installed file
     replace: str | None = None
@@ -24,21 +25,44 @@ class Edit(Section):
 
 
 class Correction(Section):
-    """A named repair of the stock flight control system, with its reason."""
+    """A named repair of the stock flight control system or engine, with its reason."""
 
     name: _Name
     reason: _Name | Annotated[str, Field(max_length=2000)]
     edit: tuple[Edit, ...]
 
 
+class Throttle(Section):
+    """What the inner loop writes for each engine, `[k]` added: where JSBSim reads it the same frame."""
+
+    property: _Name
+    military: Annotated[float, Field(gt=0.0, le=10.0)]  # its value there; twice that is full reheat
+
+
 class Positions(Section):
-    """Properties of the control positions, in rad; throttle with 1 at military, 2 at full reheat."""
+    """Properties of the control positions; throttle with 1 at military, 2 at full reheat."""
 
     throttle: _Name
     elevator: _Name
     aileron: _Name
     rudder: _Name
     flap: _Name
+
+
+class Surface(Section):
+    """A surface position as the aerodynamics read it: what a fault of that surface changes."""
+
+    property: _Name
+    unit: Literal["rad", "norm"]
+    travel: tuple[_Value, _Value]
+
+
+class Surfaces(Section):
+    """Every position property through which a surface acts on the aerodynamics."""
+
+    elevator: Annotated[tuple[Surface, ...], Field(min_length=1)]
+    aileron: Annotated[tuple[Surface, ...], Field(min_length=1)]
+    rudder: Annotated[tuple[Surface, ...], Field(min_length=1)]
 
 
 class FlightTest(Section):
@@ -60,7 +84,9 @@ class Aircraft(Section):
     jsbsim_model: _Name
     fuel_tanks: tuple[Annotated[int, Field(ge=0, le=50)], ...]
     setup: dict[str, _Value]
+    throttle: Throttle
     positions: Positions
+    surfaces: Surfaces
     flight_test: FlightTest
     correction: tuple[Correction, ...] = ()
     folder: Path = Field(default=Path(), exclude=True)

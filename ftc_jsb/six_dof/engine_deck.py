@@ -1,22 +1,21 @@
-"""The engine's part of the weaving: effectiveness at the thrust tables, and the deck published."""
+"""The engines' part of the weaving: effectiveness at the thrust tables, deck, throttle of each."""
 
 import copy
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
 from ftc_jsb.errors import AircraftError
 
 EFFECTIVENESS = "ftc/effectiveness/engine"  # one a engine: [0], [1]; 1 = healthy
 
 
-def thrust_tables(engine: ET.Element, path: Path) -> dict[str, ET.Element]:
+def thrust_tables(engine: ET.Element, name: str) -> dict[str, ET.Element]:
     """Healthy idle, military and maximum thrust [lbs] as JSBSim functions of the engine's tables."""
     if engine.tag != "turbine_engine":
-        raise AircraftError(f"{path}: a {engine.tag}; only turbine engines can be woven")
+        raise AircraftError(f"{name}.xml: a {engine.tag}; only turbine engines can be woven")
     tables = {f.attrib["name"]: f[0] for f in engine.findall("function")}
-    for name in ("IdleThrust", "MilThrust"):
-        if name not in tables:
-            raise AircraftError(f"{path}: no function {name!r}; the thrust deck needs it")
+    for function in ("IdleThrust", "MilThrust"):
+        if function not in tables:
+            raise AircraftError(f"{name}.xml: no function {function!r}; the thrust deck needs it")
     military = required(engine, "milthrust").text or ""
     idle = _node("product", _value(military), tables["IdleThrust"])
     spread = _node("difference", _value("1"), tables["IdleThrust"])
@@ -70,6 +69,46 @@ def deck_system(decks: list[dict[str, ET.Element]]) -> ET.ElementTree:
         node = _node("sum", *total) if len(total) > 1 else copy.deepcopy(total[0])
         ET.SubElement(function, "function").append(node)
     return ET.ElementTree(system)
+
+
+def throttle_system(engines: list[ET.Element], name: str, military: float) -> ET.ElementTree:
+    """A JSBSim system that takes `ftc/throttle` to each engine once the inner loop is engaged.
+
+    Args:
+        engines: XML of each engine, as it is woven.
+        name: of the property to write, `[k]` added.
+        military: its value at military thrust.
+    """
+    system = ET.Element("system", name="ftc throttles")
+    channel = ET.SubElement(system, "channel", name="throttles")
+    for number, engine in enumerate(engines):
+        throttle = _property("ftc/throttle")
+        if engine.findtext("augmethod", "0").strip() == "1" and _has_reheat(engine):
+            throttle = _switched()
+        wanted = _node("product", _value(repr(military)), throttle)
+        engaged = _node("gt", _property("ftc/engaged"), _value("0.5"))
+        held = _node("ifthen", engaged, wanted, _property(f"{name}[{number}]"))
+        function = ET.SubElement(channel, "fcs_function", name=f"ftc/throttle-{number}")
+        ET.SubElement(function, "function").append(held)
+        ET.SubElement(function, "output").text = f"{name}[{number}]"
+    return ET.ElementTree(system)
+
+
+def _has_reheat(engine: ET.Element) -> bool:
+    return any(function.get("name") == "AugThrust" for function in engine.findall("function"))
+
+
+def _switched() -> ET.Element:
+    """Throttle of a reheat that JSBSim lights in full above 0.99: whichever thrust is nearer."""
+    lit = _node("gt", _property("ftc/thrust/reheat-fraction"), _value("0.5"))
+    dry = _node("min", _value("0.985"), _property("ftc/throttle"))
+    return _node("ifthen", lit, _value("1"), dry)
+
+
+def _property(name: str) -> ET.Element:
+    element = ET.Element("property")
+    element.text = name
+    return element
 
 
 def _node(tag: str, *children: ET.Element) -> ET.Element:

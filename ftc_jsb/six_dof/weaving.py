@@ -14,11 +14,21 @@ from pathlib import Path
 import platformdirs
 
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.six_dof.aircraft import Aircraft, Edit
-from ftc_jsb.six_dof.engine_deck import apply_effectiveness, deck_system, required, thrust_tables
+from ftc_jsb.six_dof.aircraft import Aircraft, Correction, Edit
+from ftc_jsb.six_dof.engine_deck import (
+    apply_effectiveness,
+    deck_system,
+    required,
+    throttle_system,
+    thrust_tables,
+)
 
+# Woven in this order before the aircraft's own systems, so that each reads the frame's own values.
+NUMBERS_SYSTEM = "ftc_numbers"  # of the aircraft: aircraft/NAME/inner_loop.xml
 DECK_SYSTEM = "ftc_engine_deck"
 INNER_LOOP_SYSTEM = "ftc_inner_loop"
+THROTTLE_SYSTEM = "ftc_throttles"
+INNER_LOOP = Path(__file__).with_name("inner_loop.xml")  # the structure, for every aircraft
 
 
 def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
@@ -40,13 +50,13 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
     package = Path(jsbsim.get_default_root_dir())
     source = package / "aircraft" / aircraft.jsbsim_model
     model_file = source / f"{aircraft.jsbsim_model}.xml"
-    inner_loop = aircraft.folder / "inner_loop.xml"
-    for path in (model_file, inner_loop):
+    numbers = aircraft.folder / "inner_loop.xml"
+    for path in (model_file, numbers):
         if not path.is_file():
             raise AircraftError(f"aircraft {aircraft.name!r}: {path} not found")
     digest = hashlib.sha256(jsbsim.__version__.encode())
-    own = (Path(__file__), Path(__file__).with_name("engine_deck.py"))
-    for path in (*own, model_file, inner_loop):
+    own = (Path(__file__), Path(__file__).with_name("engine_deck.py"), INNER_LOOP)
+    for path in (*own, model_file, numbers):
         digest.update(path.read_bytes())
     digest.update(f"{aircraft.model_dump_json()}{corrected}".encode())
     cache = Path(platformdirs.user_cache_dir("ftc-jsb")) / "aircraft"
@@ -57,7 +67,7 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
         cache.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=cache) as scratch:
             woven = Path(scratch) / "woven"
-            _weave(aircraft, corrected, package, source, inner_loop, woven)
+            _weave(aircraft, corrected, package, source, numbers, woven)
             try:
                 os.replace(woven, target)
             except OSError:
@@ -69,38 +79,56 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
 
 
 def _weave(
-    aircraft: Aircraft, corrected: bool, package: Path, source: Path, inner_loop: Path, root: Path
+    aircraft: Aircraft, corrected: bool, package: Path, source: Path, numbers: Path, root: Path
 ) -> None:
     model = aircraft.jsbsim_model
+    systems = root / "systems"
     shutil.copytree(source, root / "aircraft" / model)
-    engines_folder = root / "engine"
-    engines_folder.mkdir()
-    (root / "systems").mkdir()
+    (root / "engine").mkdir()
+    systems.mkdir()
     for path in (package / "systems").glob("*.xml"):
-        shutil.copy(path, root / "systems")
+        shutil.copy(path, systems)
     tree = ET.parse(source / f"{model}.xml")
     fdm = tree.getroot()
-    decks = []
-    for engine in fdm.findall("propulsion/engine"):
-        name = engine.attrib["file"]
-        original = _find_engine(package, source, name)
-        engine_tree = ET.parse(original)
-        decks.append(thrust_tables(engine_tree.getroot(), original))
-        apply_effectiveness(engine_tree.getroot())
-        engine_tree.write(engines_folder / f"{name}.xml")
-        for thruster in engine.findall("thruster"):
-            shutil.copy(_find_engine(package, source, thruster.attrib["file"]), engines_folder)
+    engines = {}  # file name: XML, each read once though two engines may share it
+    installed = [engine.attrib["file"] for engine in fdm.findall("propulsion/engine")]
+    for name in installed:
+        engines[name] = ET.parse(_find_engine(package, source, name))
+    for thruster in fdm.findall("propulsion/engine/thruster"):
+        shutil.copy(_find_engine(package, source, thruster.attrib["file"]), root / "engine")
     shutil.rmtree(root / "aircraft" / model / "Engines", ignore_errors=True)
-    deck_system(decks).write(root / "systems" / f"{DECK_SYSTEM}.xml")
-    shutil.copy(inner_loop, root / "systems" / f"{INNER_LOOP_SYSTEM}.xml")
-    if corrected:
-        for correction in aircraft.correction:
-            for edit in correction.edit:
-                _edit(fdm, aircraft.name, correction.name, edit)
-    place = list(fdm).index(required(fdm, "flight_control"))
-    for system in (INNER_LOOP_SYSTEM, DECK_SYSTEM):
-        fdm.insert(place, ET.Element("system", file=system))
+    for correction in aircraft.correction if corrected else ():
+        for edit in correction.edit:
+            if edit.file and edit.file not in engines:
+                _edit_system(systems, aircraft.name, correction, edit)
+            else:
+                edited = engines[edit.file].getroot() if edit.file else fdm
+                _edit(edited, aircraft.name, correction, edit)
+    decks = [thrust_tables(engines[name].getroot(), name) for name in installed]
+    for name, engine_tree in engines.items():
+        apply_effectiveness(engine_tree.getroot())
+        engine_tree.write(root / "engine" / f"{name}.xml")
+    deck_system(decks).write(systems / f"{DECK_SYSTEM}.xml")
+    throttle_system(
+        [engines[name].getroot() for name in installed],
+        aircraft.throttle.property,
+        aircraft.throttle.military,
+    ).write(systems / f"{THROTTLE_SYSTEM}.xml")
+    shutil.copy(numbers, systems / f"{NUMBERS_SYSTEM}.xml")
+    shutil.copy(INNER_LOOP, systems / f"{INNER_LOOP_SYSTEM}.xml")
+    woven = (NUMBERS_SYSTEM, DECK_SYSTEM, INNER_LOOP_SYSTEM, THROTTLE_SYSTEM)
+    place = _first_control(fdm)
+    for number, system in enumerate(woven):
+        fdm.insert(place + number, ET.Element("system", file=system))
     tree.write(root / "aircraft" / model / f"{model}.xml")
+
+
+def _first_control(fdm: ET.Element) -> int:
+    """Place of the first system or flight control: some aircraft have only the former."""
+    for place, element in enumerate(fdm):
+        if element.tag in ("system", "flight_control"):
+            return place
+    raise AircraftError(f"{fdm.get('name')}: expected an element 'flight_control' or 'system'")
 
 
 def _find_engine(package: Path, source: Path, name: str) -> Path:
@@ -110,16 +138,28 @@ def _find_engine(package: Path, source: Path, name: str) -> Path:
     raise AircraftError(f"engine file {name}.xml not found in {source} or {package / 'engine'}")
 
 
-def _edit(fdm: ET.Element, aircraft: str, correction: str, edit: Edit) -> None:
-    element = fdm.find(edit.element)
+def _edit_system(systems: Path, aircraft: str, correction: Correction, edit: Edit) -> None:
+    path = systems / f"{edit.file}.xml"
+    if not path.is_file():
+        raise AircraftError(
+            f"aircraft {aircraft!r}, correction {correction.name!r}: no engine or system "
+            f"{edit.file!r} in the installed jsbsim"
+        )
+    tree = ET.parse(path)
+    _edit(tree.getroot(), aircraft, correction, edit)
+    tree.write(path)
+
+
+def _edit(root: ET.Element, aircraft: str, correction: Correction, edit: Edit) -> None:
+    element = root.find(edit.element)
     text = (element.text or "").strip() if element is not None else None
     if element is None or text != edit.expect:
         raise AircraftError(
-            f"aircraft {aircraft!r}, correction {correction!r}: {edit.element} holds {text!r}, "
+            f"aircraft {aircraft!r}, correction {correction.name!r}: {edit.element} holds {text!r}, "
             f"expected {edit.expect!r}; the installed jsbsim differs from the one it was written for"
         )
     if edit.remove:
-        parent = required(fdm, edit.element.rsplit("/", 1)[0])
+        parent = required(root, edit.element.rsplit("/", 1)[0]) if "/" in edit.element else root
         parent.remove(element)
     else:
         element.text = edit.replace

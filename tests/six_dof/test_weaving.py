@@ -105,13 +105,13 @@ def test_stock_and_corrected_are_woven_apart():
     assert woven_aircraft(F16, True) != woven_aircraft(F16, False)
 
 
-def test_unknown_property_in_an_inner_loop_is_named(tmp_path):
-    """A user's folder with a misspelt property: the message has it, and nothing is flown."""
+def test_number_that_an_inner_loop_lacks_is_named(tmp_path):
+    """A user's folder with a misspelt property: the message has what is missing; nothing is flown."""
     folder = tmp_path / "mine"
     shutil.copytree(F16.folder, folder)
     path = folder / "inner_loop.xml"
-    path.write_text(path.read_text().replace("<p>aero/beta-rad</p>", "<p>aero/betta-rad</p>", 1))
-    with pytest.raises(AircraftError, match="aero/betta-rad"):
+    path.write_text(path.read_text().replace("ftc/airframe/aileron<", "ftc/airframe/ailron<", 1))
+    with pytest.raises(AircraftError, match="ftc/airframe/aileron"):
         fly(load_scenario("paper", ["model=jsbsim", f"aircraft.name='{folder}'"]))
 
 
