@@ -24,9 +24,8 @@ from ftc_jsb.control.loop_records import (
 from ftc_jsb.control.outer_loop import outer_loop_step
 from ftc_jsb.control.protocol import LoopSetup, OuterLoop
 from ftc_jsb.control.python_loop import PythonLoop
-from ftc_jsb.disturbance.faults import CHANNELS
 from ftc_jsb.errors import LoopError
-from ftc_jsb.scenario.schema import Loop
+from ftc_jsb.scenario.schema import CHANNELS, Loop
 
 
 class Kind(NamedTuple):

@@ -1,49 +1,184 @@
-"""Loss of effectiveness over time, from the scenario's faults."""
+"""Faults as records, and the schedule that they write into the recording.
 
+A scenario's faults and those injected in flight are the same FAULT records. What acts on the
+aircraft is written to the rows of the recording before they are flown; what acts on a sensor is
+asked for by `sensors.py` as it measures.
+"""
+
+import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.scenario.schema import Channel, Fault, Scenario
+from ftc_jsb.compiled import compiled, direct
+from ftc_jsb.disturbance.signals import SENSED
+from ftc_jsb.scenario.schema import CHANNELS, ENGINES, SURFACES, Fault, Scenario
 
-CHANNELS: tuple[Channel, ...] = ("thrust", "load_factor", "bank_angle")
 TIME_TOLERANCE = 1e-9  # [s]: 0.1 x 3 counts as 0.3
+CAPACITY = 32  # faults of one flight, injected ones included
+
+LOSS, FLAME_OUT, STUCK, HARD_OVER, BIAS, NOISE, DRIFT, FREEZE, DROPOUT, DELAY = range(1, 11)
+KINDS = {
+    "loss-of-effectiveness": LOSS,
+    "flame-out": FLAME_OUT,
+    "stuck": STUCK,
+    "hard-over": HARD_OVER,
+    "bias": BIAS,
+    "noise": NOISE,
+    "drift": DRIFT,
+    "freeze": FREEZE,
+    "dropout": DROPOUT,
+    "delay": DELAY,
+}
+
+# State of an engine or a surface in the recording
+HEALTHY, ENGINE_OUT, HELD, OVER_POSITIVE, OVER_NEGATIVE = range(5)
+
+TARGETS: tuple[str, ...] = (
+    *CHANNELS,
+    *(f"engine[{number}]" for number in range(ENGINES)),
+    *SURFACES,
+    *SENSED,
+)
+FIRST_ENGINE = len(CHANNELS)
+FIRST_SURFACE = FIRST_ENGINE + ENGINES
+FIRST_SENSOR = FIRST_SURFACE + len(SURFACES)
+
+FAULT = np.dtype(
+    [
+        ("kind", np.int64),  # 0 = none
+        ("target", np.int64),  # place in TARGETS
+        ("start", float),  # [s]
+        ("end", float),  # [s]; inf = lasts
+        ("rise", float),  # [s] of a ramp; 0 = step
+        ("period", float),  # [s] of an intermittent fault; 0 = it stays
+        ("duty", float),
+        # effectiveness that is left, direction of a hard-over, or what the sensor is off by:
+        # bias, standard deviation, drift a second in the signal's unit, delay in s
+        ("value", float),
+    ]
+)
 
 
-def effectiveness(
-    faults: Sequence[Fault], times: npt.NDArray[np.float64]
-) -> npt.NDArray[np.float64]:
-    """Effectiveness of the three channels at each sample, held until the next.
+def fault_records(faults: Sequence[Fault]) -> npt.NDArray[Any]:
+    """(CAPACITY,) FAULT of a scenario's faults, the rest empty."""
+    records = np.zeros(CAPACITY, FAULT)
+    for index, fault in enumerate(faults):
+        records[index] = fault_record(fault)
+    return records
 
-    Faults of one channel multiply. A fault acts from the first sample at or after its start.
+
+def fault_record(fault: Fault) -> npt.NDArray[Any]:
+    """One fault of the scenario as a FAULT record."""
+    record = np.zeros((), FAULT)
+    record["kind"] = KINDS[fault.kind]
+    record["target"] = TARGETS.index(fault.target)
+    record["start"] = fault.start
+    record["end"] = math.inf if fault.end is None else fault.end
+    record["rise"] = fault.rise or 0.0
+    record["period"], record["duty"] = fault.period or 0.0, fault.duty or 0.0
+    record["value"] = fault.value
+    return record
+
+
+@compiled
+def severity(fault: Any, time: float) -> float:
+    """How much of a fault is there at a time [s], 0 to 1.
+
+    A fault acts from the first sample at or after its start, and no longer from its end on.
+    """
+    elapsed = time - fault.start + TIME_TOLERANCE
+    if elapsed < 0.0 or time >= fault.end - TIME_TOLERANCE:
+        return 0.0
+    if fault.period > 0.0 and elapsed % fault.period >= fault.duty * fault.period:
+        return 0.0
+    if fault.rise > 0.0:
+        return float(min(elapsed / fault.rise, 1.0))
+    return 1.0
+
+
+@compiled
+def present(faults: Any, time: float, engines: int, columns: Any) -> None:
+    """What is faulty at one time.
+
+    Losses of one target multiply. Of engines and surfaces the recording has the state besides; an
+    engine that is out has effectiveness 0, and the thrust of one whose throttle is stuck has no
+    effectiveness that could be told (nan).
 
     Args:
-        faults: of the scenario.
-        times: (rows,) [s].
-
-    Returns:
-        (rows, 3), thrust, load factor, bank angle; 1 where healthy.
+        faults: (n,) FAULT.
+        time: [s].
+        engines: that the aircraft has; they share the thrust equally, and a loss of the channel
+            `thrust` is a loss of each.
+        columns: (len(SCHEDULE),), written: effectiveness of the channels, effectiveness of
+            engines and surfaces, state of engines and surfaces.
     """
-    result = np.ones((times.size, len(CHANNELS)))
-    for fault in faults:
-        result[:, CHANNELS.index(fault.target)] *= 1.0 - (1.0 - fault.effectiveness) * severity(
-            fault, times
-        )
-    return result
+    parts = ENGINES + len(SURFACES)
+    state = FIRST_SENSOR
+    for k in range(FIRST_SENSOR):
+        columns[k] = 1.0
+    for k in range(parts):
+        columns[state + k] = HEALTHY
+    for f in range(faults.size):
+        fault = faults[f]
+        target = fault.target
+        if fault.kind == 0 or target >= FIRST_SENSOR:
+            continue
+        amount = severity(fault, time)
+        if fault.kind == LOSS:
+            columns[target] *= 1.0 - (1.0 - fault.value) * amount
+        elif amount > 0.0:
+            place = state + target - FIRST_ENGINE
+            if fault.kind == FLAME_OUT:
+                columns[place] = ENGINE_OUT
+            elif fault.kind == STUCK:
+                columns[place] = HELD
+            else:
+                columns[place] = OVER_POSITIVE if fault.value > 0.0 else OVER_NEGATIVE
+    total = 0.0
+    for k in range(ENGINES):
+        engine = FIRST_ENGINE + k
+        columns[engine] = columns[engine] * columns[0] if k < engines else math.nan
+        if columns[state + k] == ENGINE_OUT:
+            columns[engine] *= 0.0
+        if k < engines:
+            total += math.nan if columns[state + k] == HELD else columns[engine]
+    columns[0] = total / engines
 
 
-def severity(fault: Fault, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-    """How much of the fault is there, 0 to 1, at each time [s]."""
-    elapsed = times - fault.start + TIME_TOLERANCE
-    present = (elapsed >= 0.0).astype(float)
-    if fault.shape == "ramp" and fault.rise is not None:
-        present *= np.clip(elapsed / fault.rise, 0.0, 1.0)
-    elif fault.shape == "intermittent" and fault.period is not None and fault.duty is not None:
-        present *= np.mod(elapsed, fault.period) < fault.duty * fault.period
-    if fault.end is not None:
-        present *= times < fault.end - TIME_TOLERANCE
-    return present
+SCHEDULE: tuple[str, ...] = (
+    *(f"effectiveness_{name}" for name in CHANNELS),
+    *(f"engine_{number}_effectiveness" for number in range(ENGINES)),
+    *(f"{name}_effectiveness" for name in SURFACES),
+    *(f"engine_{number}_state" for number in range(ENGINES)),
+    *(f"{name}_state" for name in SURFACES),
+)
+
+
+@compiled
+def _scheduled(faults: Any, times: Any, engines: int, table: Any) -> None:
+    for i in range(times.size):
+        present(faults, times[i], engines, table[i])
+
+
+def schedule(
+    faults: npt.NDArray[Any], engines: int, record: npt.NDArray[Any], first: int = 0
+) -> None:
+    """Write what the faults do to the aircraft to rows `first` and later of a recording.
+
+    Args:
+        faults: (n,) FAULT.
+        engines: that the aircraft has.
+        record: (rows,) of the recording; `time` must be there.
+        first: row.
+    """
+    times = np.ascontiguousarray(record["time"][first:])
+    table = np.empty((times.size, len(SCHEDULE)))
+    direct(_scheduled, faults, times, engines, table)(faults, times, engines, table)
+    for column, name in enumerate(SCHEDULE):
+        record[name][first:] = table[:, column]
 
 
 def fault_steps(truth: npt.NDArray[np.float64], scenario: Scenario) -> npt.NDArray[np.int64]:
@@ -56,7 +191,8 @@ def fault_steps(truth: npt.NDArray[np.float64], scenario: Scenario) -> npt.NDArr
     ramps = [
         (1.0 - fault.effectiveness) / fault.rise / scenario.loop.rate
         for fault in scenario.fault
-        if fault.shape == "ramp" and fault.rise is not None
+        if fault.effectiveness is not None and fault.rise is not None
     ]
     steepest = 1.001 * max(ramps, default=0.0) + TIME_TOLERANCE
-    return (np.flatnonzero(np.abs(np.diff(truth)) > steepest) + 1).astype(np.int64)
+    known = np.nan_to_num(truth, nan=-1.0)  # where it is not known counts as another value
+    return (np.flatnonzero(np.abs(np.diff(known)) > steepest) + 1).astype(np.int64)

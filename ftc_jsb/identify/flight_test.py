@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.errors import TrimError
 from ftc_jsb.identify.manoeuvres import Manoeuvre
-from ftc_jsb.scenario.schema import AircraftChoice, Initial
+from ftc_jsb.scenario.schema import ENGINES, AircraftChoice, Initial
 from ftc_jsb.simulation.monitor import FLYING, departed
 from ftc_jsb.simulation.variables import ROW
 from ftc_jsb.six_dof.aircraft import Aircraft
@@ -32,7 +33,7 @@ def fly_manoeuvre(aircraft: Aircraft, manoeuvre: Manoeuvre, area: float) -> npt.
     test = aircraft.flight_test
     record = np.zeros(round(manoeuvre.duration / DT) + 1, ROW)
     record["time"] = np.arange(record.size) * DT
-    record["effectiveness_thrust"] = 1.0
+    schedule(fault_records(()), ENGINES, record)
     choice = AircraftChoice(name=str(aircraft.folder), fuel_fraction=manoeuvre.fuel_fraction)
     initial = Initial(airspeed=manoeuvre.airspeed, altitude=manoeuvre.altitude)
     plant = JsbsimPlant(choice, initial, DT, STEPS)

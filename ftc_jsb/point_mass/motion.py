@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.frames import attitude_from_path
 from ftc_jsb.point_mass.dynamics import (
     derivatives,
     level_trim_thrust,
@@ -37,7 +38,7 @@ def _rates(
     sb: float,
     out: Any,
 ) -> None:
-    """Derivative of the state `x` at a delivered thrust and effective commands.
+    """Derivative of the state `x` at a delivered thrust and effective commands, in still air.
 
     `cb` and `sb` are cosine and sine of the commanded bank, which acts where there is no lag.
     """
@@ -64,7 +65,7 @@ def _rates(
 
 @compiled
 def _runge_kutta(
-    model: Any, x: Any, thrust: float, load_factor: float, bank: float, dt: float
+    model: Any, wind: Any, x: Any, thrust: float, load_factor: float, bank: float, dt: float
 ) -> None:
     """One classical Runge-Kutta step of `dt` seconds, in place."""
     size = x.size
@@ -83,11 +84,34 @@ def _runge_kutta(
     _rates(model, y, thrust, load_factor, bank, cb, sb, k4)
     for a in range(size):
         x[a] += dt / 6.0 * (k1[a] + 2.0 * (k2[a] + k3[a]) + k4[a])
+    if wind.still == 0:
+        _blow(wind, x, dt)
 
 
 @compiled
-def point_mass_step(model: Any, state: Any, record: Any, i: int, dt: float, substeps: int) -> None:
-    """Fly the commands of row `i` for `dt` seconds.
+def _blow(wind: Any, x: Any, dt: float) -> None:
+    """What wind adds over `dt` seconds: it carries the aircraft, and its change is felt as airspeed.
+
+    The air-relative velocity is the inertial one less the wind, so that the wind's rate, along, up
+    and across the path, goes into (41) with a minus sign. Lift and drag of the gust itself are
+    those of the new airspeed; the load factor follows its command.
+    """
+    sg, cg, sh, ch = math.sin(x[1]), math.cos(x[1]), math.sin(x[2]), math.cos(x[2])
+    north, east, up = wind.rate[0], wind.rate[1], wind.rate[2]
+    level = north * ch + east * sh
+    x[3] += dt * wind.now[0]
+    x[4] += dt * wind.now[1]
+    x[5] += dt * wind.now[2]
+    x[1] -= dt * (up * cg - level * sg) / x[0]
+    x[2] -= dt * (east * ch - north * sh) / (x[0] * cg)
+    x[0] -= dt * (level * cg + up * sg)
+
+
+@compiled
+def point_mass_step(
+    model: Any, wind: Any, state: Any, record: Any, i: int, dt: float, substeps: int
+) -> None:
+    """Fly the commands of row `i` for `dt` seconds through the wind of `wind_step`.
 
     Thrust, load factor and bank in force are written to row `i` where they act at once; the
     commands are held within the aircraft's limits, the effectiveness of row `i` multiplies them.
@@ -113,7 +137,7 @@ def point_mass_step(model: Any, state: Any, record: Any, i: int, dt: float, subs
         else:
             healthy = min(max(row.thrust_cmd, at.thrust_idle), at.thrust_maximum)
         s.thrust = row.effectiveness_thrust * healthy
-        _runge_kutta(m, x, s.thrust, load_factor, bank, dt / substeps)
+        _runge_kutta(m, wind[0], x, s.thrust, load_factor, bank, dt / substeps)
         if m.bank_rate_max > 0.0:
             x[9] = min(max(x[9], -m.bank_rate_max), m.bank_rate_max)
     if m.spool_up[0] == 0.0:
@@ -123,7 +147,7 @@ def point_mass_step(model: Any, state: Any, record: Any, i: int, dt: float, subs
 
 @compiled
 def point_mass_truth(model: Any, state: Any, record: Any, i: int) -> None:
-    """Write the state of the aircraft, and what it measures of itself, to row `i`."""
+    """Write the state of the aircraft to row `i`; its attitude is that of flight without sideslip."""
     m, s, row = model[0], state[0], record[i]
     x = s.x
     at = at_condition(m, x[0], x[5])
@@ -132,11 +156,16 @@ def point_mass_truth(model: Any, state: Any, record: Any, i: int) -> None:
     row.load_factor, row.bank_angle = x[6], x[8]
     row.thrust = s.thrust
     row.drag, row.alpha = polar_drag(at, x[0], s.thrust, x[6])
+    row.sideslip = 0.0
     row.mach = x[0] / at.sound_speed
     row.mass = m.mass
-    row.airspeed_meas, row.flight_path_angle_meas, row.heading_meas = x[0], x[1], x[2]
-    row.north_meas, row.east_meas, row.altitude_meas = x[3], x[4], x[5]
-    row.load_factor_meas, row.bank_angle_meas = x[6], x[8]
+    sa, ca = math.sin(row.alpha), math.cos(row.alpha)
+    along = (s.thrust * ca - row.drag) / (m.mass * m.gravity)
+    row.load_factor_x = along * ca + x[6] * sa
+    row.load_factor_y = 0.0
+    row.load_factor_z = x[6] * ca - along * sa
+    row.roll, row.pitch, turn = attitude_from_path(x[1], x[8], row.alpha)
+    row.yaw = x[2] + turn
 
 
 @compiled

@@ -20,6 +20,7 @@ from ftc_jsb.point_mass.model import (
     MACH_KNOTS,
     MODEL,
 )
+from ftc_jsb.scenario.schema import ENGINES
 from ftc_jsb.typed_file import Section, first_problem
 
 _Number = Annotated[float, Field(ge=-1e9, le=1e9)]
@@ -118,6 +119,7 @@ class MeasuredDrag(Section):
 class Thrust(Section):
     """Thrust deck [N] of all engines, healthy, over Mach and altitude; and the spool."""
 
+    engines: Annotated[int, Field(ge=1, le=ENGINES)] = 1
     mach: _Row
     altitude: _Row  # m
     idle: _Table

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import direct
+from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.point_mass.motion import (
     POINT_MASS_STATE,
     point_mass_step,
@@ -19,9 +20,17 @@ from ftc_jsb.scenario.schema import Initial
 class PointMassPlant:
     """A `Plant` on the equations of motion (41)-(42)."""
 
-    def __init__(self, model: npt.NDArray[Any], initial: Initial, dt: float, substeps: int) -> None:
-        """Args: (1,) MODEL; initial condition; sample time [s]; Runge-Kutta steps a sample."""
+    def __init__(
+        self,
+        model: npt.NDArray[Any],
+        wind: npt.NDArray[Any],
+        initial: Initial,
+        dt: float,
+        substeps: int,
+    ) -> None:
+        """Args: (1,) MODEL; (1,) WIND; initial condition; sample time [s]; Runge-Kutta steps a sample."""
         self.model = model
+        self.wind = wind
         self._initial = initial
         self.dt = dt
         self.substeps = substeps
@@ -40,17 +49,19 @@ class PointMassPlant:
             model, initial.airspeed, initial.altitude, path
         )
         self._record = record
-        arguments = (model, self.state, record, 0)
-        self._truth = direct(point_mass_truth, *arguments)
-        self._step = direct(point_mass_step, *arguments, self.dt, self.substeps)
+        self._truth = direct(point_mass_truth, model, self.state, record, 0)
+        step = (model, self.wind, self.state, record, 0, self.dt, self.substeps)
+        self._step = direct(point_mass_step, *step)
+        self._blow = direct(wind_step, self.wind, record, 0, self.dt)
 
     def truth(self, i: int) -> None:
-        """Write state and measurements to row `i`."""
+        """Write the state to row `i`."""
         self._truth(self.model, self.state, self._record, i)
+        self._blow(self.wind, self._record, i, self.dt)
 
     def step(self, i: int) -> None:
         """Fly the commands of row `i` for one sample."""
-        self._step(self.model, self.state, self._record, i, self.dt, self.substeps)
+        self._step(self.model, self.wind, self.state, self._record, i, self.dt, self.substeps)
 
     def close(self) -> None:
         """Nothing to release."""

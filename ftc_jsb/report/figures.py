@@ -11,12 +11,12 @@ import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ftc_jsb.disturbance.faults import CHANNELS, fault_steps
+from ftc_jsb.disturbance.faults import fault_steps
 from ftc_jsb.metrics import unobservable
 from ftc_jsb.report.validity import COMPARED
 from ftc_jsb.report.words import loop_title, model_title
 from ftc_jsb.scenario.limits import tracking_errors
-from ftc_jsb.scenario.schema import Channel
+from ftc_jsb.scenario.schema import CHANNELS, Channel
 from ftc_jsb.simulation.flight import Flight
 
 Flights = dict[str, Flight]

@@ -4,14 +4,20 @@ Angles are in degrees in the file (`_deg`) and in radians everywhere else; `refe
 `simulation/` convert.
 """
 
+import math
+import re
 from typing import Annotated, Literal, Self
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import Field, model_validator
 
+from ftc_jsb.disturbance.signals import ANGLES, SENSED
 from ftc_jsb.typed_file import Section
 
 Model = Literal["paper", "identified", "jsbsim"]
 Channel = Literal["thrust", "load_factor", "bank_angle"]
+CHANNELS: tuple[Channel, ...] = ("thrust", "load_factor", "bank_angle")
+ENGINES = 4  # the most that an aircraft may have
+SURFACES: tuple[str, ...] = ("elevator", "aileron", "rudder")
 
 _Text = Annotated[str, Field(min_length=1, max_length=300)]
 _Time = Annotated[float, Field(ge=0.0, le=86400.0)]  # s
@@ -19,7 +25,51 @@ _Point = tuple[_Time, Annotated[float, Field(ge=-1e6, le=1e6)]]
 _Breakpoints = Annotated[tuple[_Point, ...], Field(min_length=1, max_length=10000)]
 _Gain = Annotated[float, Field(ge=0.0, le=100.0)]
 _Variance = Annotated[float, Field(gt=0.0, le=1e6)]
+_Error = Annotated[float, Field(ge=0.0, le=1e4)]
 _Bound = Annotated[float, Field(ge=-1e6, le=1e6)]
+
+_FaultKind = Literal[
+    "loss-of-effectiveness",
+    "flame-out",
+    "stuck",
+    "hard-over",
+    "bias",
+    "noise",
+    "drift",
+    "freeze",
+    "dropout",
+    "delay",
+]
+_NEEDS = {  # the number that a kind needs; that of a sensor has the sensor's unit
+    "loss-of-effectiveness": "effectiveness",
+    "hard-over": "direction",
+    "bias": "size",
+    "noise": "size",
+    "drift": "size",
+    "delay": "delay",
+}
+_RAMPED = ("loss-of-effectiveness", "bias", "noise")
+
+
+def _kinds_of(target: str) -> tuple[str, ...]:
+    """Kinds of fault that a target can have.
+
+    Raises:
+        ValueError: there is no such target.
+    """
+    if target in CHANNELS:
+        return ("loss-of-effectiveness",)
+    if re.fullmatch(rf"engine\[[0-{ENGINES - 1}]\]", target):
+        return ("loss-of-effectiveness", "flame-out", "stuck")
+    if target in SURFACES:
+        return ("loss-of-effectiveness", "stuck", "hard-over")
+    if target in SENSED:
+        return ("bias", "noise", "drift", "freeze", "dropout", "delay")
+    raise ValueError(
+        f"target: no {target!r}; expected a channel ({', '.join(CHANNELS)}), an engine (engine[0], ...), "
+        f"a surface ({', '.join(SURFACES)}) or a sensor ({', '.join(SENSED)})"
+    )
+
 
 LONGEST_RECORDING = 4_000_000  # samples: 11 h at 100 Hz, about 3 GB
 
@@ -123,17 +173,42 @@ class Loop(Section):
 
 
 class Fault(Section):
-    """[[fault]]: a loss of effectiveness of one channel."""
+    """[[fault]]: what goes wrong with a channel, an engine, a control surface or a sensor."""
 
-    target: Channel = "thrust"
-    kind: Literal["loss-of-effectiveness"] = "loss-of-effectiveness"
-    effectiveness: float = Field(ge=0.0, le=1.0)
+    target: _Text = "thrust"
+    kind: _FaultKind = "loss-of-effectiveness"
+    effectiveness: float | None = Field(None, ge=0.0, le=1.0)  # that a loss leaves
+    direction: Literal[-1, 1] | None = (
+        None  # of a hard-over: to the low or the high end of the travel
+    )
+    size: _Bound | None = None  # bias, standard deviation, or drift a second of a sensor
+    size_deg: _Bound | None = None  # the same of an angle [deg] or an angular rate [deg/s]
+    delay: float | None = Field(None, gt=0.0, le=10.0)  # s
     start: _Time  # s
     end: _Time | None = None  # s, recovery
     shape: Literal["step", "ramp", "intermittent"] = "step"
     rise: float | None = Field(None, gt=0.0, le=86400.0)  # s, of a ramp
     period: float | None = Field(None, gt=0.0, le=86400.0)  # s, of an intermittent fault
     duty: float | None = Field(None, gt=0.0, lt=1.0)  # part of each period that is faulty
+
+    @model_validator(mode="after")
+    def _kind_suits_target(self) -> Self:
+        kinds = _kinds_of(self.target)
+        if self.kind not in kinds:
+            raise ValueError(
+                f"kind: {self.target!r} cannot have {self.kind!r}; expected one of {', '.join(kinds)}"
+            )
+        size = "size_deg" if self.target in ANGLES else "size"
+        needs = _NEEDS.get(self.kind, "")
+        needed = size if needs == "size" else needs
+        for key in ("effectiveness", "direction", "size", "size_deg", "delay"):
+            given = getattr(self, key) is not None
+            if given != (key == needed):
+                state = "needs" if key == needed else "does not take"
+                raise ValueError(f"{self.kind!r} of {self.target!r} {state} the key {key!r}")
+        if self.shape == "ramp" and self.kind not in _RAMPED:
+            raise ValueError(f"shape: {self.kind!r} is there or not; it cannot be a ramp")
+        return self
 
     @model_validator(mode="after")
     def _shape_is_complete(self) -> Self:
@@ -147,25 +222,83 @@ class Fault(Section):
             raise ValueError(f"end must be later than start = {self.start} s")
         return self
 
+    @property
+    def value(self) -> float:
+        """The number that goes with the kind, in SI and rad; 0 where it has none."""
+        if self.size_deg is not None:
+            return math.radians(self.size_deg)
+        for value in (self.effectiveness, self.direction, self.size, self.delay):
+            if value is not None:
+                return float(value)
+        return 0.0
+
+
+class Sensor(Section):
+    """[sensors.SIGNAL]: what is not given is the profile's. Angles and rates take the `_deg` keys."""
+
+    noise: _Error | None = None  # standard deviation, in the signal's unit
+    noise_deg: _Error | None = None
+    bias: _Bound | None = None  # the same in every flight
+    bias_deg: _Bound | None = None
+    bias_spread: _Error | None = None  # standard deviation of a bias drawn for each flight
+    bias_spread_deg: _Error | None = None
+    rate: float | None = Field(None, gt=0.0, le=1000.0)  # Hz: readings in between are held
+    delay: float | None = Field(None, ge=0.0, le=2.0)  # s
+
 
 class Sensors(Section):
-    """[sensors]: the outer loop sees the true state."""
+    """[sensors]: what the outer loop sees of the aircraft."""
 
-    profile: Literal["perfect"] = "perfect"
+    profile: Literal["perfect", "tactical"] = "perfect"
+    airspeed: Sensor | None = None  # m/s
+    altitude: Sensor | None = None  # m
+    alpha: Sensor | None = None
+    sideslip: Sensor | None = None
+    roll: Sensor | None = None
+    pitch: Sensor | None = None
+    yaw: Sensor | None = None
+    roll_rate: Sensor | None = None
+    pitch_rate: Sensor | None = None
+    yaw_rate: Sensor | None = None
+    load_factor_x: Sensor | None = None  # g
+    load_factor_y: Sensor | None = None
+    load_factor_z: Sensor | None = None
+    north: Sensor | None = None  # m
+    east: Sensor | None = None
+    elevator_position: Sensor | None = None
+    flap_position: Sensor | None = None
+
+    @model_validator(mode="after")
+    def _units(self) -> Self:
+        for name in SENSED:
+            sensor: Sensor | None = getattr(self, name)
+            for key in ("noise", "bias", "bias_spread") if sensor is not None else ():
+                wrong = key if name in ANGLES else f"{key}_deg"
+                if getattr(sensor, wrong) is not None:
+                    right = f"{key}_deg" if name in ANGLES else key
+                    raise ValueError(f"{name}.{wrong}: expected {right} for this signal")
+        return self
 
 
-def _still(speed: float) -> float:
-    if speed != 0.0:
-        raise ValueError(f"wind.speed: this version flies in still air; expected 0 (got {speed:g})")
-    return speed
+class Gust(Section):
+    """[[wind.gust]]: a discrete gust, 1 - cosine up over `length`, held, and down again."""
+
+    speed: float = Field(0.0, ge=0.0, le=100.0)  # m/s, level part
+    from_deg: float = Field(270.0, ge=0.0, le=360.0)
+    updraught: float = Field(0.0, ge=-100.0, le=100.0)  # m/s
+    start: _Time  # s
+    length: float = Field(gt=0.0, le=600.0)  # s
+    hold: float = Field(0.0, ge=0.0, le=3600.0)  # s
 
 
 class Wind(Section):
-    """[wind]: still air."""
+    """[wind]: steady wind at the initial altitude, shear, gusts, turbulence."""
 
-    speed: Annotated[float, AfterValidator(_still)] = 0.0  # m/s
+    speed: float = Field(0.0, ge=0.0, le=100.0)  # m/s
     from_deg: float = Field(270.0, ge=0.0, le=360.0)
-    turbulence: Literal["none"] = "none"
+    shear: float = Field(0.0, ge=-0.1, le=0.1)  # 1/s: m/s more for each metre up
+    turbulence: Literal["none", "light", "moderate", "severe"] = "none"  # MIL-F-8785C
+    gust: Annotated[tuple[Gust, ...], Field(max_length=8)] = ()
 
 
 class Simulation(Section):
@@ -229,7 +362,7 @@ class Scenario(Section):
     initial: Initial = Initial()
     reference: Reference
     loop: Loop = Loop()
-    fault: tuple[Fault, ...] = ()
+    fault: Annotated[tuple[Fault, ...], Field(max_length=16)] = ()
     sensors: Sensors = Sensors()
     wind: Wind = Wind()
     simulation: Simulation = Simulation()

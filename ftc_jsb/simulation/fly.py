@@ -12,7 +12,9 @@ from ftc_jsb.compiled import direct
 from ftc_jsb.control.command_filter import command_filter, reference_step
 from ftc_jsb.control.loops import CompiledLoop, RecordedLoop, build_loop
 from ftc_jsb.control.protocol import LoopSetup
-from ftc_jsb.disturbance.faults import effectiveness
+from ftc_jsb.disturbance.faults import fault_records, schedule
+from ftc_jsb.disturbance.sensors import Senses, measure, sensor_record
+from ftc_jsb.disturbance.wind import wind_record
 from ftc_jsb.errors import AircraftError, LoopError, ScenarioError
 from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
@@ -21,7 +23,8 @@ from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.flight import Flight, Outcome
 from ftc_jsb.simulation.monitor import FLYING, REASONS, departed
 from ftc_jsb.simulation.plant import Plant
-from ftc_jsb.simulation.variables import ROW
+from ftc_jsb.simulation.possible import impossible
+from ftc_jsb.simulation.variables import ROW, numbers
 
 Observer = Callable[[npt.NDArray[Any], int], None]  # recording, row just completed
 Advance = Callable[[int, int], tuple[int, int]]  # first row, row beyond -> last row, reason
@@ -52,7 +55,8 @@ def fly(
     fuel = scenario.aircraft.fuel_fraction
     model = aircraft.record(fuel)
     dt = 1.0 / scenario.loop.rate
-    record = blank_recording(scenario)
+    faults = fault_records(scenario.fault)
+    record = blank_recording(scenario, aircraft.thrust.engines)
     if plant is None:
         plant = build_plant(scenario, model, dt)
     setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt)
@@ -65,7 +69,8 @@ def fly(
     outcome = Outcome("complete", scenario.duration, "")
     rows = 0
     started = time.perf_counter()
-    advance, length = _advance(plant, loop, observers, filters, record)
+    senses = Senses(sensor_record(scenario, record), faults, record, numbers(record))
+    advance, length = _advance(plant, loop, observers, filters, senses)
     try:
         while rows < record.size:
             last, reason = advance(rows, min(rows + length, record.size))
@@ -92,7 +97,7 @@ def _advance(
     loop: RecordedLoop,
     observers: Sequence[Observer],
     filters: npt.NDArray[Any],
-    record: npt.NDArray[Any],
+    senses: Senses,
 ) -> tuple[Advance, int]:
     """How this flight goes on, and by how many rows at a time.
 
@@ -102,16 +107,21 @@ def _advance(
     from ftc_jsb.point_mass.plant import PointMassPlant
     from ftc_jsb.simulation.fused import point_mass_flight
 
+    record = senses.record
     coarse = all(getattr(observe, "coarse", False) for observe in observers)
     if isinstance(plant, PointMassPlant) and isinstance(loop, CompiledLoop) and coarse:
-        fixed = (loop.settings, plant.model, loop.state, plant.state, filters, record)
+        sensors, faults, _, table = senses
+        aircraft = (loop.settings, plant.model, loop.state, plant.state, plant.wind)
+        fixed = (*aircraft, sensors, faults, filters, record, table)
         run = direct(point_mass_flight, *fixed, 0, 1, plant.dt, plant.substeps)
         return lambda first, beyond: run(*fixed, first, beyond, plant.dt, plant.substeps), STRETCH
+    sense = direct(measure, *senses, 0)
     refer = direct(reference_step, filters, record, 0)
     check = direct(departed, record, 0)
 
     def sample(i: int, _: int) -> tuple[int, int]:
         plant.truth(i)
+        sense(*senses, i)
         refer(filters, record, i)
         reason: int = check(record, i)
         if reason == FLYING:
@@ -129,11 +139,9 @@ def refuse_unflyable(scenario: Scenario) -> None:
         ScenarioError: it cannot.
     """
     for index, fault in enumerate(scenario.fault):
-        if scenario.model == "jsbsim" and fault.target != "thrust":
-            raise ScenarioError(
-                f"fault[{index}].target: {fault.target!r} is a channel of the point masses; the model "
-                "'jsbsim' has 'thrust'"
-            )
+        reason = impossible(scenario, fault)
+        if reason:
+            raise ScenarioError(f"fault[{index}].target: {reason}")
     frames = scenario.loop.rate * scenario.simulation.jsbsim_steps
     if scenario.model == "jsbsim" and frames < SLOWEST_JSBSIM:
         raise ScenarioError(
@@ -158,17 +166,21 @@ def build_plant(scenario: Scenario, model: npt.NDArray[Any], dt: float) -> Plant
     if scenario.model == "jsbsim":
         from ftc_jsb.six_dof.plant import JsbsimPlant
 
-        return JsbsimPlant(scenario.aircraft, scenario.initial, dt, simulation.jsbsim_steps)
+        steps = simulation.jsbsim_steps
+        return JsbsimPlant(
+            scenario.aircraft, scenario.initial, dt, steps, scenario.wind, scenario.seed
+        )
     from ftc_jsb.point_mass.plant import PointMassPlant
 
-    return PointMassPlant(model, scenario.initial, dt, simulation.point_mass_steps)
+    wind = wind_record(scenario.wind, scenario.initial.altitude, scenario.seed, dryden=True)
+    return PointMassPlant(model, wind, scenario.initial, dt, simulation.point_mass_steps)
 
 
-def blank_recording(scenario: Scenario) -> npt.NDArray[Any]:
-    """Recording with time, raw commands and effectiveness filled in, the rest nan.
+def blank_recording(scenario: Scenario, engines: int = 1) -> npt.NDArray[Any]:
+    """Recording with time, raw commands and faults filled in, the rest nan.
 
-    (rows,) of ROW: one row a sample and one for the end. What is scheduled stands in the recording
-    before the flight; whoever changes the schedule in flight rewrites the rows to come.
+    (rows,) of ROW: one row a sample and one for the end. What is scheduled, commands and faults,
+    stands in the recording before the flight; whoever changes it in flight rewrites the rows to come.
     """
     record = np.full(scenario.samples + 1, math.nan).astype(ROW)
     record["time"] = np.arange(record.size) / scenario.loop.rate
@@ -176,8 +188,5 @@ def blank_recording(scenario: Scenario) -> npt.NDArray[Any]:
     record["airspeed_cmd_raw"] = commands[:, 0]
     record["flight_path_angle_cmd_raw"] = commands[:, 1]
     record["heading_cmd_raw"] = commands[:, 2]
-    truth = effectiveness(scenario.fault, record["time"])
-    record["effectiveness_thrust"] = truth[:, 0]
-    record["effectiveness_load_factor"] = truth[:, 1]
-    record["effectiveness_bank_angle"] = truth[:, 2]
+    schedule(fault_records(scenario.fault), engines, record)
     return record

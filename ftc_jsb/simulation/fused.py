@@ -8,6 +8,8 @@ from typing import Any
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.command_filter import reference_step
 from ftc_jsb.control.outer_loop import outer_loop_step
+from ftc_jsb.disturbance.sensors import measure
+from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.point_mass.motion import point_mass_step, point_mass_truth
 from ftc_jsb.simulation.monitor import FLYING, departed
 
@@ -18,8 +20,12 @@ def point_mass_flight(
     model: Any,
     loop_state: Any,
     plant_state: Any,
+    wind: Any,
+    sensors: Any,
+    faults: Any,
     filters: Any,
     record: Any,
+    table: Any,
     first: int,
     beyond: int,
     dt: float,
@@ -30,6 +36,8 @@ def point_mass_flight(
     Args:
         settings, model, loop_state: as `outer_loop_step` takes them.
         plant_state, dt, substeps: as `point_mass_step` takes them.
+        wind: as `wind_step` takes it.
+        sensors, faults, table: as `measure` takes them.
         filters: as `reference_step` takes them.
         record: (rows,) of the recording.
         first, beyond: range of rows.
@@ -39,10 +47,12 @@ def point_mass_flight(
     """
     for i in range(first, beyond):
         point_mass_truth(model, plant_state, record, i)
+        wind_step(wind, record, i, dt)
+        measure(sensors, faults, record, table, i)
         reference_step(filters, record, i)
         reason = departed(record, i)
         if reason != FLYING:
             return i, reason
         outer_loop_step(settings, model, loop_state, record, i)
-        point_mass_step(model, plant_state, record, i, dt, substeps)
+        point_mass_step(model, wind, plant_state, record, i, dt, substeps)
     return beyond - 1, FLYING

@@ -12,7 +12,7 @@ class Plant(Protocol):
         """Trim at the initial condition and bind the recording, (rows,) of `variables.ROW`."""
 
     def truth(self, i: int) -> None:
-        """Write state and measurements at the start of sample `i` to row `i`."""
+        """Write the state at the start of sample `i` to row `i`; what is measured of it is not its concern."""
 
     def step(self, i: int) -> None:
         """Fly the commands and the effectiveness of row `i` for one sample."""

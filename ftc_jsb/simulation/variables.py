@@ -1,8 +1,12 @@
 """The recording: every variable of a flight, its unit and its meaning, as one structured row."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.disturbance.signals import SIGNALS
+from ftc_jsb.scenario.schema import ENGINES, SURFACES
 
 
 class Variable(NamedTuple):
@@ -65,27 +69,53 @@ def _truth() -> list[Variable]:
         Variable("roll_rate", "rad/s", "body roll rate"),
         Variable("pitch_rate", "rad/s", "body pitch rate"),
         Variable("yaw_rate", "rad/s", "body yaw rate"),
+        Variable("load_factor_x", "1", "non-gravity force along the body's x axis over weight"),
+        Variable("load_factor_y", "1", "the same along the y axis, positive to the right"),
+        Variable("load_factor_z", "1", "the same against the z axis, positive up"),
+        Variable("wind_north", "m/s", "wind towards the north"),
+        Variable("wind_east", "m/s", "wind towards the east"),
+        Variable("wind_up", "m/s", "wind upwards"),
         Variable("throttle", "1", "throttle position: 1 military, 2 full reheat"),
         Variable("elevator", "rad", "elevator, positive pitches down"),
         Variable("aileron", "rad", "left aileron, positive rolls to the right"),
         Variable("rudder", "rad", "rudder, positive yaws to the left"),
         Variable("flap", "rad", "flap position that drag depends on, as aircraft.toml names it"),
+    ]  # fmt: skip
+
+
+def _faults() -> list[Variable]:
+    parts = [(f"engine_{number}", f"engine {number}") for number in range(ENGINES)]
+    parts += [(name, name) for name in SURFACES]
+    return [
         *(
             Variable(f"effectiveness_{name}", "1", f"effectiveness of {meaning}, the truth")
             for name, _, meaning in _CHANNEL
         ),
-    ]  # fmt: skip
+        *(
+            Variable(f"{name}_effectiveness", "1", f"effectiveness of {text}")
+            for name, text in parts
+        ),
+        *(
+            Variable(f"{name}_state", "1", f"{text}: 0 healthy, 1 out, 2 stuck, 3 and 4 hard over")
+            for name, text in parts
+        ),
+    ]
 
 
 def _measured() -> list[Variable]:
-    measured = (
-        "airspeed", "flight_path_angle", "heading", "north", "east", "altitude", "load_factor", "bank_angle",
-        "alpha", "sideslip", "pitch_rate", "elevator", "flap",
-    )  # fmt: skip
     truth = {column.name: column for column in _truth()}
+    names = [signal.column or signal.name for signal in SIGNALS]
+    names += ["flight_path_angle", "heading", "load_factor", "bank_angle"]
     return [
-        Variable(f"{name}_meas", truth[name].unit, f"{truth[name].meaning}, measured")
-        for name in measured
+        *(
+            Variable(f"{name}_meas", truth[name].unit, f"{truth[name].meaning}, measured")
+            for name in names
+        ),
+        Variable(
+            "acceleration_meas",
+            "m/s^2",
+            "non-gravity force along the velocity over mass, from the accelerometers",
+        ),
     ]
 
 
@@ -125,8 +155,14 @@ VARIABLES: tuple[Variable, ...] = (
     Variable("time", "s", "time since the start"),
     *_reference(),
     *_truth(),
+    *_faults(),
     *_measured(),
     *_outer_loop(),
 )
 
 ROW = np.dtype([(variable.name, float) for variable in VARIABLES])
+
+
+def numbers(record: npt.NDArray[Any]) -> npt.NDArray[np.float64]:
+    """(rows, columns): a recording's memory as plain numbers."""
+    return record.view(np.float64).reshape(record.size, -1)

@@ -1,33 +1,56 @@
-"""The JSBSim aircraft as a plant: commands into the woven inner loop, state and measurements out."""
+"""The JSBSim aircraft as a plant: commands into the woven inner loop, the true state out."""
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import direct
+from ftc_jsb.disturbance.wind import wind_record, wind_step
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.scenario.schema import AircraftChoice, Initial
+from ftc_jsb.scenario.schema import AircraftChoice, Initial, Wind
+from ftc_jsb.simulation.variables import numbers
+from ftc_jsb.six_dof.air import set_turbulence, start_in_wind
 from ftc_jsb.six_dof.aircraft import load_aircraft
-from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
-from ftc_jsb.six_dof.observation import JSBSIM_STATE, PROPERTIES, THRUST, observe
+from ftc_jsb.six_dof.fault_weaving import observed
+from ftc_jsb.six_dof.fault_writers import FaultWriters
+from ftc_jsb.six_dof.observation import (
+    JSBSIM_STATE,
+    POSITION_NAMES,
+    PROPERTIES,
+    THRUST,
+    observe,
+)
 from ftc_jsb.six_dof.properties import engine_count, readers, writer
 from ftc_jsb.six_dof.trim import trimmed
 from ftc_jsb.six_dof.weaving import woven_aircraft
 from ftc_jsb.units import FOOT, POUND_FORCE
 
+COMMANDS = ("ftc/command/thrust-n", "ftc/command/load-factor", "ftc/command/bank-rad")
+COMMANDED = ("thrust_cmd", "load_factor_cmd", "bank_angle_cmd")
+WIND_AXES = ("north", "east", "down")
+
 
 class JsbsimPlant:
     """A `Plant` on a woven JSBSim aircraft, one fresh FGFDMExec a flight."""
 
-    def __init__(self, choice: AircraftChoice, initial: Initial, dt: float, steps: int) -> None:
-        """Args: the scenario's [aircraft] and [initial]; sample time [s]; JSBSim steps a sample."""
+    def __init__(
+        self,
+        choice: AircraftChoice,
+        initial: Initial,
+        dt: float,
+        steps: int,
+        wind: Wind | None = None,
+        seed: int = 0,
+    ) -> None:
+        """Args: [aircraft], [initial]; sample time [s]; JSBSim steps a sample; [wind] and its seed."""
         self._choice = choice
         self._initial = initial
         self._steps = steps
-        self._dt = dt / steps
+        self._sample = dt
+        self._air = wind or Wind()
+        self._seed = seed
         self._state = np.zeros(1, JSBSIM_STATE)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
@@ -38,50 +61,50 @@ class JsbsimPlant:
         """
         aircraft = load_aircraft(self._choice.name)
         root = woven_aircraft(aircraft, self._choice.flight_control == "corrected")
-        fdm = trimmed(aircraft, root, self._dt, self._initial, self._choice.fuel_fraction)
+        frame = self._sample / self._steps
+        fdm = trimmed(aircraft, root, frame, self._initial, self._choice.fuel_fraction)
         self.fdm = fdm
-        positions = aircraft.positions
-        names = list(PROPERTIES)
-        names += [
-            positions.throttle,
-            positions.elevator,
-            positions.aileron,
-            positions.rudder,
-            positions.flap,
-        ]
+        self._record, self._numbers = record, numbers(record)
+        self._wind = wind_record(self._air, self._initial.altitude, self._seed, dryden=False)
+        self._blow = direct(wind_step, self._wind, record, 0, self._sample)
+        set_turbulence(fdm, self._air, self._seed)
+        self._windy = self._wind[0]["still"] == 0
+        if self._windy:
+            start_in_wind(fdm, self._wind[0]["steady"])
         engines = engine_count(fdm)
+        names = [*PROPERTIES]
+        names += [observed(aircraft, getattr(aircraft.positions, name)) for name in POSITION_NAMES]
         names += [f"propulsion/engine[{number}]/thrust-lbs" for number in range(engines)]
         self._readers = readers(fdm, names)
         self._raw = np.zeros(len(names))
-        self._command_thrust = writer(fdm, "ftc/command/thrust-n")
-        self._command_load_factor = writer(fdm, "ftc/command/load-factor")
-        self._command_bank = writer(fdm, "ftc/command/bank-rad")
-        self._effectiveness: list[Callable[[float], Any]] = [
-            writer(fdm, f"{EFFECTIVENESS}[{number}]") for number in range(engines)
-        ]
-        self._record = record
+        self._command = [writer(fdm, name) for name in COMMANDS]
+        columns = list(record.dtype.names or ())
+        self._commanded = [columns.index(name) for name in COMMANDED]
+        self._winds = [writer(fdm, f"atmosphere/wind-{axis}-fps") for axis in WIND_AXES]
+        self._faults = FaultWriters(fdm, engines, record, self._numbers)
         self._observe = direct(observe, self._raw, self._state, record, 0)
         self._place_origin(fdm)
-        self._command_thrust(sum(fdm[name] for name in names[THRUST:]) * POUND_FORCE)
-        self._command_load_factor(math.cos(math.radians(self._initial.flight_path_deg)))
-        self._command_bank(0.0)
+        thrust = sum(fdm[name] for name in names[THRUST:]) * POUND_FORCE
+        level = math.cos(math.radians(self._initial.flight_path_deg))
+        for write, value in zip(self._command, (thrust, level, 0.0), strict=True):
+            write(value)
         writer(fdm, "ftc/engaged")(1.0)
 
     def _place_origin(self, fdm: Any) -> None:
-        state = self._state[0]
+        state, initial = self._state[0], self._initial
         state["origin"] = [fdm[f"position/ecef-{axis}-ft"] * FOOT for axis in "xyz"]
-        latitude = math.radians(self._initial.latitude_deg)
-        longitude = math.radians(self._initial.longitude_deg)
+        latitude = math.radians(initial.latitude_deg)
+        longitude = math.radians(initial.longitude_deg)
         state["north"] = (
             -math.sin(latitude) * math.cos(longitude),
             -math.sin(latitude) * math.sin(longitude),
             math.cos(latitude),
         )
         state["east"] = (-math.sin(longitude), math.cos(longitude), 0.0)
-        state["heading"] = state["yaw"] = math.radians(self._initial.heading_deg)
+        state["heading"] = state["yaw"] = math.radians(initial.heading_deg)
 
     def truth(self, i: int) -> None:
-        """Write state and measurements to row `i`."""
+        """Write the state to row `i`."""
         self._raw[:] = [read() for read in self._readers]
         self._observe(self._raw, self._state, self._record, i)
 
@@ -91,13 +114,15 @@ class JsbsimPlant:
         Raises:
             AircraftError: JSBSim raised, or says that it is over.
         """
-        row = self._record[i]
-        self._command_thrust(float(row["thrust_cmd"]))
-        self._command_load_factor(float(row["load_factor_cmd"]))
-        self._command_bank(float(row["bank_angle_cmd"]))
-        effectiveness = float(row["effectiveness_thrust"])
-        for engine in self._effectiveness:
-            engine(effectiveness)
+        row = self._numbers[i]
+        for write, column in zip(self._command, self._commanded, strict=True):
+            write(float(row[column]))
+        self._faults.write(i)
+        if self._windy:
+            self._blow(self._wind, self._record, i, self._sample)
+            north, east, up = self._wind[0]["now"].tolist()
+            for write, speed in zip(self._winds, (north, east, -up), strict=True):
+                write(speed / FOOT)
         run = self.fdm.run
         try:
             for _ in range(self._steps):

@@ -22,12 +22,14 @@ from ftc_jsb.six_dof.engine_deck import (
     throttle_system,
     thrust_tables,
 )
+from ftc_jsb.six_dof.fault_weaving import weave_faults
 
 # Woven in this order before the aircraft's own systems, so that each reads the frame's own values.
 NUMBERS_SYSTEM = "ftc_numbers"  # of the aircraft: aircraft/NAME/inner_loop.xml
 DECK_SYSTEM = "ftc_engine_deck"
 INNER_LOOP_SYSTEM = "ftc_inner_loop"
 THROTTLE_SYSTEM = "ftc_throttles"
+SOURCES = ("weaving.py", "engine_deck.py", "fault_weaving.py", "inner_loop.xml")
 INNER_LOOP = Path(__file__).with_name("inner_loop.xml")  # the structure, for every aircraft
 
 
@@ -55,7 +57,7 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
         if not path.is_file():
             raise AircraftError(f"aircraft {aircraft.name!r}: {path} not found")
     digest = hashlib.sha256(jsbsim.__version__.encode())
-    own = (Path(__file__), Path(__file__).with_name("engine_deck.py"), INNER_LOOP)
+    own = [Path(__file__).with_name(name) for name in SOURCES]
     for path in (*own, model_file, numbers):
         digest.update(path.read_bytes())
     digest.update(f"{aircraft.model_dump_json()}{corrected}".encode())
@@ -117,6 +119,7 @@ def _weave(
     shutil.copy(numbers, systems / f"{NUMBERS_SYSTEM}.xml")
     shutil.copy(INNER_LOOP, systems / f"{INNER_LOOP_SYSTEM}.xml")
     woven = (NUMBERS_SYSTEM, DECK_SYSTEM, INNER_LOOP_SYSTEM, THROTTLE_SYSTEM)
+    weave_faults(fdm, aircraft, len(installed))
     place = _first_control(fdm)
     for number, system in enumerate(woven):
         fdm.insert(place + number, ET.Element("system", file=system))

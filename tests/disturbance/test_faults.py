@@ -4,15 +4,23 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ftc_jsb.disturbance.faults import effectiveness, fault_steps
+from ftc_jsb.disturbance.faults import fault_records, fault_steps, schedule
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Fault, Scenario
+from ftc_jsb.simulation.variables import ROW
 
 TIME = np.arange(6001) / 100.0
 
 
+def scheduled(*faults: Fault, engines: int = 1) -> np.ndarray:
+    record = np.zeros(TIME.size, ROW)
+    record["time"] = TIME
+    schedule(fault_records(faults), engines, record)
+    return record
+
+
 def thrust(*faults: Fault) -> np.ndarray:
-    return effectiveness(faults, TIME)[:, 0]
+    return scheduled(*faults)["effectiveness_thrust"]
 
 
 def scenario(*faults: Fault) -> Scenario:
@@ -59,17 +67,14 @@ def test_intermittent_is_faulty_for_its_duty():
 
 
 def test_faults_of_one_channel_multiply_and_others_stay_healthy():
-    factors = effectiveness(
-        [
-            Fault(effectiveness=0.8, start=10.0),
-            Fault(effectiveness=0.5, start=20.0),
-            Fault(target="bank_angle", effectiveness=0.7, start=0.0),
-        ],
-        TIME,
+    record = scheduled(
+        Fault(effectiveness=0.8, start=10.0),
+        Fault(effectiveness=0.5, start=20.0),
+        Fault(target="bank_angle", effectiveness=0.7, start=0.0),
     )
-    assert factors[2500, 0] == 0.4
-    assert np.all(factors[:, 1] == 1.0)
-    assert np.all(factors[:, 2] == 0.7)
+    assert record["effectiveness_thrust"][2500] == 0.4
+    assert np.all(record["effectiveness_load_factor"] == 1.0)
+    assert np.all(record["effectiveness_bank_angle"] == 0.7)
 
 
 @given(

@@ -30,10 +30,7 @@ class IndependentPlant:
         row = self.record[i]
         for name, value in zip(STATE, self.x, strict=True):
             row[name] = value
-        for name in STATE:
-            row[f"{name}_meas"] = row[name]
-        row["load_factor"] = row["load_factor_meas"] = self.n
-        row["bank_angle"] = row["bank_angle_meas"] = self.bank
+        row["load_factor"], row["bank_angle"] = self.n, self.bank
         row["thrust"], row["alpha"] = self.thrust, 0.0
 
     def step(self, i: int) -> None:

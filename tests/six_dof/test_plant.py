@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.errors import AircraftError, ScenarioError, TrimError
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
@@ -19,7 +20,7 @@ def flight(initial: Initial, commands: Any, seconds: float, watch: Any = None) -
     """Recording of the engaged inner loop under `commands(t, row)`."""
     record = np.zeros(round(seconds / DT), ROW)
     record["time"] = np.arange(record.size) * DT
-    record["effectiveness_thrust"] = 1.0
+    schedule(fault_records(()), 1, record)
     plant = JsbsimPlant(AircraftChoice(), initial, DT, 2)
     plant.reset(record)
     for i in range(record.size):
@@ -111,7 +112,7 @@ def test_thrust_command_is_reached_as_fast_as_the_engine_allows():
     Thrust within 1 % of the span 2.5 s after each step.
     """
     record = np.zeros(901, ROW)
-    record["effectiveness_thrust"] = 1.0
+    schedule(fault_records(()), 1, record)
     plant = JsbsimPlant(AircraftChoice(), Initial(), DT, 2)
     plant.reset(record)
     for i in range(900):

@@ -1,0 +1,52 @@
+"""Attitude and path: the two ways to say how an aircraft lies in the air and where it goes.
+
+Wind axes are turned from body axes by angle of attack and sideslip; their own Euler angles in the
+level frame are heading, flight path angle and bank about the velocity. All angles in rad, all of
+the air-relative velocity, so that steady wind touches none of them.
+"""
+
+import math
+
+from ftc_jsb.compiled import compiled
+
+
+@compiled
+def path_from_attitude(
+    alpha: float, beta: float, roll: float, pitch: float
+) -> tuple[float, float, float]:
+    """Flight path angle, heading relative to the yaw angle, and bank about the velocity.
+
+    The velocity's direction in body axes is (cos a cos b, sin b, sin a cos b).
+    """
+    sa, ca, sb, cb = math.sin(alpha), math.cos(alpha), math.sin(beta), math.cos(beta)
+    sp, cp, st, ct = math.sin(roll), math.cos(roll), math.sin(pitch), math.cos(pitch)
+    forward = ct * ca * cb + st * (sp * sb + cp * sa * cb)
+    right = cp * sb - sp * sa * cb
+    climb = st * ca * cb - ct * (sp * sb + cp * sa * cb)  # sin(gamma)
+    sin_bank = ca * sb * st + cb * sp * ct - sa * sb * cp * ct  # times cos(gamma)
+    cos_bank = sa * st + ca * cp * ct
+    path = math.asin(min(max(climb, -1.0), 1.0))
+    return path, math.atan2(right, forward), math.atan2(sin_bank, cos_bank)
+
+
+@compiled
+def attitude_from_path(path: float, bank: float, alpha: float) -> tuple[float, float, float]:
+    """Roll, pitch, and yaw relative to the heading, of flight without sideslip.
+
+    The body's x axis is the velocity turned up by alpha in the plane of symmetry, which bank turns
+    about the velocity.
+    """
+    sa, ca = math.sin(alpha), math.cos(alpha)
+    sg, cg = math.sin(path), math.cos(path)
+    sm, cm = math.sin(bank), math.cos(bank)
+    # Body axes in the frame of the heading: x forward, y to the right, z down
+    x_forward, x_right, x_down = ca * cg - sa * sg * cm, sa * sm, -ca * sg - sa * cg * cm
+    y_down, z_down = cg * sm, cg * ca * cm - sg * sa
+    pitch = math.asin(min(max(-x_down, -1.0), 1.0))
+    return math.atan2(y_down, z_down), pitch, math.atan2(x_right, x_forward)
+
+
+@compiled
+def continuous(angle: float, previous: float) -> float:
+    """`angle` plus the whole turns that bring it nearest to `previous`."""
+    return angle + 2.0 * math.pi * round((previous - angle) / (2.0 * math.pi))
