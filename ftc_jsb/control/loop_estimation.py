@@ -9,25 +9,26 @@ from ftc_jsb.estimation.detector import detect
 from ftc_jsb.estimation.ekf import predict_extended
 from ftc_jsb.estimation.process import OUTPUTS, Forcing
 from ftc_jsb.estimation.ukf import predict_unscented
-from ftc_jsb.estimation.update import update
+from ftc_jsb.estimation.update import update, update_by_state
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
+from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.response import lag_step
 from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed
 
 
 @compiled
-def sensed(m: Any, at: Any, row: Any) -> tuple[float, float, float, float]:
+def sensed(m: Any, x: Any, at: Any, row: Any) -> tuple[float, float, float, float]:
     """Measured drag coefficient, alpha, load factor and bank; nan where there is none."""
     coefficient = math.nan
     if m.measured_mach_count > 0:
         coefficient = measured_drag_coefficient(
             m,
-            row.airspeed_meas / at.sound_speed,
+            x.seen[0] / at.sound_speed,
             row.alpha_meas,
             row.sideslip_meas,
             row.elevator_meas,
             row.flap_meas,
-            row.pitch_rate_meas / row.airspeed_meas,
+            row.pitch_rate_meas / x.seen[0],
         )
     return coefficient, row.alpha_meas, row.load_factor_meas, row.bank_angle_meas
 
@@ -80,7 +81,7 @@ def estimate(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
         x.thrust = now
     else:
         x.thrust = thrust
-    drag_coefficient, alpha, load_factor, bank_angle = sensed(m, at, row)
+    drag_coefficient, alpha, load_factor, bank_angle = sensed(m, x, at, row)
     mean_drag = 0.5 * (x.drag_coefficient + drag_coefficient)
     mean_alpha = 0.5 * (x.alpha + alpha)
     acting_load_factor = _acting(m, x, 0, 0.5 * (x.load_factor + load_factor), s.dt)
@@ -98,11 +99,53 @@ def estimate(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
         mean_alpha,
     )
     if s.estimator == UNSCENTED:
-        predict_unscented(x.filter, at, forcing, s.process_noise, s.spread, s.dt)
+        predict_unscented(x.filter, at, forcing, x.process_noise, s.spread, s.dt)
     else:
-        predict_extended(x.filter, at, forcing, s.process_noise, s.dt)
+        predict_extended(x.filter, at, forcing, x.process_noise, s.dt)
     floor = s.effectiveness_floor if s.bounded == 1 else 0.0
     update(x.filter, x.measurement, s.measurement_noise, s.gate, s.gate_patience, floor)
+    if s.acceleration_noise > 0.0:
+        _weigh_acceleration(s, m, x, at, row, drag_coefficient, alpha, load_factor, floor)
+
+
+@compiled
+def _weigh_acceleration(
+    s: Any,
+    m: Any,
+    x: Any,
+    at: Any,
+    row: Any,
+    drag_coefficient: float,
+    alpha: float,
+    load_factor: float,
+    floor: float,
+) -> None:
+    """Correct by the force along the velocity: k T cos(alpha) - D over the mass.
+
+    The accelerometers feel thrust and drag and not the gust that moves the airspeed, so that in
+    turbulence they tell of the thrust what the airspeed cannot.
+    """
+    airspeed = x.filter.estimate[0]
+    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
+    if not math.isfinite(drag_coefficient):  # no measured drag: the polar's, at the measured n
+        alpha, load = 0.0, load_factor if math.isfinite(load_factor) else x.demand[1]
+        drag, alpha = polar_drag(at, airspeed, x.thrust, load)
+    else:
+        drag = pressure_area * drag_coefficient
+    slope = x.thrust * math.cos(alpha) / m.mass  # of the acceleration, per effectiveness
+    if not math.isfinite(row.acceleration_meas + slope + drag):
+        return
+    effectiveness, place = 1.0, -1
+    for a in range(x.filter.count - OUTPUTS):
+        if x.filter.channel[a] == 0:
+            place = OUTPUTS + a
+            effectiveness = x.filter.estimate[place]
+    x.acceleration_innovation = row.acceleration_meas - (effectiveness * slope - drag / m.mass)
+    if place < 0:
+        return
+    x.acceleration_innovation_std = update_by_state(
+        x.filter, place, slope, x.acceleration_innovation, s.acceleration_noise, floor
+    )
 
 
 @compiled
@@ -110,8 +153,8 @@ def _outside(m: Any, x: Any, at: Any, row: Any) -> bool:
     """Whether Mach number, altitude or lift coefficient are outside the range of the fit."""
     if m.valid_mach[1] == 0.0:
         return False
-    mach = row.airspeed_meas / at.sound_speed
-    pressure_area = 0.5 * at.density * row.airspeed_meas * row.airspeed_meas * m.area
+    mach = x.seen[0] / at.sound_speed
+    pressure_area = 0.5 * at.density * x.seen[0] * x.seen[0] * m.area
     load_factor = row.load_factor_meas if math.isfinite(row.load_factor_meas) else x.demand[1]
     lift = load_factor * m.mass * m.gravity / pressure_area
     return bool(
@@ -119,8 +162,8 @@ def _outside(m: Any, x: Any, at: Any, row: Any) -> bool:
         or mach > m.valid_mach[1]
         or lift < m.valid_lift[0]
         or lift > m.valid_lift[1]
-        or row.altitude_meas < m.valid_altitude[0]
-        or row.altitude_meas > m.valid_altitude[1]
+        or x.altitude < m.valid_altitude[0]
+        or x.altitude > m.valid_altitude[1]
     )
 
 
@@ -146,6 +189,9 @@ def report(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     row.flight_path_angle_innovation_std = math.sqrt(f.innovation_covariance[1, 1])
     row.heading_innovation_std = math.sqrt(f.innovation_covariance[2, 2])
     row.innovation_squared = f.nis
+    if s.acceleration_noise > 0.0:
+        row.acceleration_innovation = x.acceleration_innovation
+        row.acceleration_innovation_std = x.acceleration_innovation_std
     statistic = 0.0
     for a in range(f.count - OUTPUTS):
         estimate = f.estimate[OUTPUTS + a]

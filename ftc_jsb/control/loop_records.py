@@ -20,9 +20,13 @@ LOOP_SETTINGS = np.dtype(
         ("trim_filter", float),  # zeta of (10) [1/s]
         ("effectiveness_floor", float),  # sigma: the least effectiveness the law divides by
         ("lead", float, (2,)),  # [s] of load factor and bank, against the inner loop's lag
+        ("lead_filter", float),  # [1/s] of the rate that it takes
         ("process_noise", float, (STATES,)),
         ("measurement_noise", float, (OUTPUTS,)),
         ("initial_covariance", float, (STATES,)),
+        ("acceleration_noise", float),  # R of the force along the velocity [m^2/s^4]; 0 = not used
+        ("response_time", float),  # [s], sets Q of the effectiveness; 0 = process_noise has it
+        ("feedback", np.int64),  # 1: errors of the estimate, 0: of the measurement
         ("spread", float),  # n_a + kappa of (26)
         ("gate", float),  # bound on the normalised innovation squared; 0 = off
         ("gate_patience", np.int64),
@@ -37,6 +41,7 @@ LOOP_STATE = np.dtype(
     [
         ("trim", float, (3,)),  # u_n of (10): thrust [N], load factor, bank [rad]
         ("demand", float, (3,)),  # limited u of the previous sample
+        ("slow", float, (2,)),  # demanded load factor and bank behind the lead's filter
         ("command", float, (2,)),  # load factor and bank sent to the plant, lead included
         ("response", float, (2, 2)),  # of a healthy inner loop to them: value and rate
         ("integral", float, (3,)),  # of the tracking errors
@@ -47,6 +52,11 @@ LOOP_STATE = np.dtype(
         ("load_factor", float),
         ("bank_angle", float),  # [rad]
         ("measurement", float, (OUTPUTS,)),
+        ("seen", float, (OUTPUTS,)),  # the same; where a sensor is silent, what is known instead
+        ("altitude", float),  # [m], likewise
+        ("process_noise", float, (STATES,)),
+        ("acceleration_innovation", float),  # [m/s^2]
+        ("acceleration_innovation_std", float),
         ("filter", FILTER),
         ("detector", DETECTOR),
     ]

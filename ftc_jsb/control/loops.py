@@ -24,8 +24,10 @@ from ftc_jsb.control.loop_records import (
 from ftc_jsb.control.outer_loop import outer_loop_step
 from ftc_jsb.control.protocol import LoopSetup, OuterLoop
 from ftc_jsb.control.python_loop import PythonLoop
+from ftc_jsb.control.tuning import covariances
+from ftc_jsb.disturbance.sensors import sensor_errors
 from ftc_jsb.errors import LoopError
-from ftc_jsb.scenario.schema import CHANNELS, Loop
+from ftc_jsb.scenario.schema import CHANNELS
 
 
 class Kind(NamedTuple):
@@ -36,6 +38,7 @@ class Kind(NamedTuple):
     effectiveness: int = ESTIMATED  # where the law takes it from
     integral: bool = False
     path: bool = False  # tracks position
+    robust: bool = False  # covariances from the sensors, accelerometer, errors of the estimate
 
 
 BUILT_IN = {
@@ -46,8 +49,12 @@ BUILT_IN = {
     "oracle": Kind("the true effectiveness in the law", effectiveness=TRUE),
     "integral": Kind("no estimator, integral action", NO_ESTIMATOR, ASSUMED_HEALTHY, integral=True),
     "ekf": Kind("as ftc, with an extended Kalman filter", EXTENDED),
+    "robust": Kind(
+        "as ftc, for real sensors and turbulence: filter tuned by both, accelerometer", robust=True
+    ),
     "path": Kind("as ftc, tracking position: the path that the references make", path=True),
 }
+ROBUST_LEAD_FILTER = 8.0  # [1/s]: a lead of 0.2 to 0.3 s makes noise 3 times as large, not 15
 ENTRY_POINTS = "ftc_jsb.loops"
 
 
@@ -61,11 +68,10 @@ class RecordedLoop(Protocol):
 class CompiledLoop:
     """One of the built-in loops: the compiled kernel with its settings."""
 
-    def __init__(
-        self, name: str, loop: Loop, model: npt.NDArray[Any], dt: float, record: npt.NDArray[Any]
-    ) -> None:
-        """Args: name in BUILT_IN; [loop]; (1,) MODEL; sample time [s]; recording."""
-        self.settings = loop_settings(name, loop, model, dt)
+    def __init__(self, setup: LoopSetup, model: npt.NDArray[Any], record: npt.NDArray[Any]) -> None:
+        """Args: a loop in BUILT_IN and what it is built from; (1,) MODEL; recording."""
+        loop = setup.settings
+        self.settings = loop_settings(setup, model)
         self.state = np.zeros(1, LOOP_STATE)
         filters = self.state[0]["filter"]
         filters["count"] = 3 + len(loop.estimator.channels)
@@ -80,9 +86,10 @@ class CompiledLoop:
         self._step(self.settings, self._model, self.state, self._record, i)
 
 
-def loop_settings(name: str, loop: Loop, model: npt.NDArray[Any], dt: float) -> npt.NDArray[Any]:
-    """[loop] of a scenario as (1,) LOOP_SETTINGS of the built-in loop `name`."""
-    kind = BUILT_IN[name]
+def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """[loop] of a scenario as (1,) LOOP_SETTINGS of the built-in loop that it names."""
+    loop, dt = setup.settings, setup.dt
+    kind = BUILT_IN[loop.name]
     estimator, detector = loop.estimator, loop.detector
     settings = np.zeros(1, LOOP_SETTINGS)
     s = settings[0]
@@ -100,10 +107,19 @@ def loop_settings(name: str, loop: Loop, model: npt.NDArray[Any], dt: float) -> 
             frequency = model[0]["response_frequency"][axis]
             if frequency > 0.0:
                 s["lead"][axis] = 2.0 * model[0]["response_damping"][axis] / frequency
+    s["lead_filter"] = min(loop.lead_filter, ROBUST_LEAD_FILTER) if kind.robust else loop.lead_filter
     size = len(estimator.process_noise)
     s["process_noise"][:size] = estimator.process_noise
     s["measurement_noise"] = estimator.measurement_noise
     s["initial_covariance"][:size] = estimator.initial_covariance
+    tuned = covariances(sensor_errors(setup.sensors), dt)
+    if kind.robust or estimator.tuning == "sensors":
+        s["process_noise"][:3], s["measurement_noise"] = tuned.process, tuned.measurement
+        s["initial_covariance"][:3] = tuned.measurement
+        s["response_time"] = estimator.response_time
+    if kind.robust or estimator.accelerometer:
+        s["acceleration_noise"] = tuned.acceleration
+    s["feedback"] = kind.robust or loop.feedback == "estimated"
     s["spread"] = estimator.spread
     if estimator.gate:
         from scipy.stats import chi2
@@ -133,7 +149,7 @@ def build_loop(setup: LoopSetup, model: npt.NDArray[Any], record: npt.NDArray[An
     """
     name = setup.settings.name
     if name in BUILT_IN:
-        return CompiledLoop(name, setup.settings, model, setup.dt, record)
+        return CompiledLoop(setup, model, record)
     return PythonLoop(make_loop(setup), record)
 
 

@@ -34,7 +34,14 @@ def outer_loop_step(settings: Any, model: Any, state: Any, record: Any, i: int) 
     x.measurement[0] = row.airspeed_meas
     x.measurement[1] = row.flight_path_angle_meas
     x.measurement[2] = row.heading_meas
-    at = at_condition(m, row.airspeed_meas, row.altitude_meas)
+    if math.isfinite(row.altitude_meas):
+        x.altitude = row.altitude_meas
+    for k in range(OUTPUTS):  # a silent sensor leaves what the filter knows, or what was last seen
+        if math.isfinite(x.measurement[k]):
+            x.seen[k] = x.measurement[k]
+        elif s.estimator != NO_ESTIMATOR:
+            x.seen[k] = x.filter.estimate[k]
+    at = at_condition(m, x.seen[0], x.altitude)
     if i == 0:
         _start(s, m, x, at, row)
     else:
@@ -46,19 +53,20 @@ def outer_loop_step(settings: Any, model: Any, state: Any, record: Any, i: int) 
 @compiled
 def _start(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     """Level trim as u_n(0), the first measurement as the first estimate."""
-    thrust = level_trim_thrust(at, row.airspeed_meas, row.flight_path_angle_meas)
+    thrust = level_trim_thrust(at, x.seen[0], x.seen[1])
     x.trim[0] = min(max(thrust, at.thrust_idle), at.thrust_maximum)
-    x.trim[1] = math.cos(row.flight_path_angle_meas)
+    x.trim[1] = math.cos(x.seen[1])
     x.trim[2] = 0.0
     for k in range(3):
         x.demand[k] = x.trim[k]
         x.integral[k] = 0.0
     for axis in range(2):
         x.command[axis] = x.trim[1 + axis]
+        x.slow[axis] = x.trim[1 + axis]
         x.response[axis, 0], x.response[axis, 1] = x.trim[1 + axis], 0.0
     x.rotor_speed = rotor_speed_target(at, x.trim[0])
     x.thrust = healthy_thrust(at, x.rotor_speed, x.trim[0])
-    x.drag_coefficient, x.alpha, x.load_factor, x.bank_angle = sensed(m, at, row)
+    x.drag_coefficient, x.alpha, x.load_factor, x.bank_angle = sensed(m, x, at, row)
     f = x.filter
     f.rejected = 0
     f.nis = math.nan  # nothing is predicted before the first sample
@@ -66,21 +74,43 @@ def _start(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
         f.innovation[k] = math.nan
         f.innovation_covariance[k, k] = math.nan
     for a in range(f.count):
-        f.estimate[a] = x.measurement[a] if a < OUTPUTS else 1.0
+        f.estimate[a] = x.seen[a] if a < OUTPUTS else 1.0
         for b in range(f.count):
             f.covariance[a, b] = 0.0
         f.covariance[a, a] = s.initial_covariance[a]
+        x.process_noise[a] = s.process_noise[a]
+        if a >= OUTPUTS and s.response_time > 0.0:
+            x.process_noise[a] = _effectiveness_noise(s, m, x)
+    x.acceleration_innovation, x.acceleration_innovation_std = math.nan, math.nan
     x.detector.declared = 0
     x.detector.elapsed = 0.0
 
 
 @compiled
-def _path_demand(s: Any, row: Any, airspeed: float, path: float) -> Any:
+def _effectiveness_noise(s: Any, m: Any, x: Any) -> float:
+    """Q of an effectiveness that lets the filter follow a loss in `response_time`.
+
+    A random walk of variance q a step, seen each step with variance r, is followed by the steady
+    Kalman filter with the gain sqrt(q / r), that is in the time dt sqrt(r / q). r is that of the
+    force along the velocity over the thrust of trim; without the accelerometer it is that of the
+    airspeed's change over the response time.
+    """
+    noise = s.acceleration_noise
+    if noise == 0.0:
+        steps = s.response_time / s.dt
+        noise = (s.process_noise[0] * steps + 2.0 * s.measurement_noise[0]) / s.response_time**2
+        noise *= steps
+    r = noise * (m.mass / max(x.trim[0], 0.1 * m.mass * m.gravity)) ** 2
+    return float(r * (s.dt / s.response_time) ** 2)
+
+
+@compiled
+def _path_demand(s: Any, x: Any, row: Any, airspeed: float, path: float) -> Any:
     """Rates that the path asks for: y_m'' - K e of (17) for y = position, e of (16) with its rate."""
     reference = (row.airspeed_ref, row.flight_path_angle_ref, row.heading_ref)
     rate = (row.airspeed_ref_rate, row.flight_path_angle_ref_rate, row.heading_ref_rate)
     wanted = acceleration(*reference, *rate)
-    moving = velocity(row.airspeed_meas, row.flight_path_angle_meas, row.heading_meas)
+    moving = velocity(x.seen[0], x.seen[1], x.seen[2])
     meant = velocity(*reference)
     far, fast = s.path_gains[0], s.path_gains[1]
     total = (
@@ -88,22 +118,28 @@ def _path_demand(s: Any, row: Any, airspeed: float, path: float) -> Any:
         wanted[1] - far * (row.east_meas - row.east_ref) - fast * (moving[1] - meant[1]),
         wanted[2] - far * (row.altitude_meas - row.altitude_ref) - fast * (moving[2] - meant[2]),
     )
-    return rates_of(airspeed, path, row.heading_meas, total)
+    return rates_of(airspeed, path, x.seen[2], total)
 
 
 @compiled
 def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     """Law (20), limits, response lead, and the trim-input filter (10)."""
+    airspeed, path, heading = x.seen[0], x.seen[1], x.seen[2]
+    if s.feedback == 1:
+        airspeed, path, heading = (
+            x.filter.estimate[0],
+            x.filter.estimate[1],
+            x.filter.estimate[2],
+        )
     errors = (
-        row.airspeed_meas - row.airspeed_ref,
-        row.flight_path_angle_meas - row.flight_path_angle_ref,
-        row.heading_meas - row.heading_ref,
+        airspeed - row.airspeed_ref,
+        path - row.flight_path_angle_ref,
+        heading - row.heading_ref,
     )
-    airspeed, path = x.measurement[0], x.measurement[1]
     if s.estimator != NO_ESTIMATOR:
         airspeed, path = x.filter.estimate[0], x.filter.estimate[1]
     if s.track_path == 1:
-        rates = _path_demand(s, row, airspeed, path)
+        rates = _path_demand(s, x, row, airspeed, path)
     else:
         rates = (
             row.airspeed_ref_rate - s.gains[0] * errors[0] - s.integral_gains[0] * x.integral[0],
@@ -141,8 +177,8 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     row.load_factor_demand = x.demand[1]
     row.bank_angle_demand = x.demand[2]
     row.thrust_cmd = x.demand[0]
-    load_factor_rate = s.trim_filter * (x.demand[1] - x.trim[1])
-    bank_rate = s.trim_filter * (x.demand[2] - x.trim[2])
+    load_factor_rate = s.lead_filter * (x.demand[1] - x.slow[0])
+    bank_rate = s.lead_filter * (x.demand[2] - x.slow[1])
     with_lead = x.demand[1] + s.lead[0] * load_factor_rate
     row.load_factor_cmd = min(max(with_lead, m.load_factor_min), load_max)
     row.bank_angle_cmd = x.demand[2] + s.lead[1] * bank_rate
@@ -150,3 +186,6 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     share = 1.0 - math.exp(-s.trim_filter * s.dt)
     for k in range(CHANNELS):  # (10), exact for a command held over the sample
         x.trim[k] += share * (x.demand[k] - x.trim[k])
+    share = 1.0 - math.exp(-s.lead_filter * s.dt)
+    for axis in range(2):
+        x.slow[axis] += share * (x.demand[1 + axis] - x.slow[axis])

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple, Protocol
 
 from ftc_jsb.point_mass.parameters import PointMass
-from ftc_jsb.scenario.schema import Loop
+from ftc_jsb.scenario.schema import Loop, Sensors
 
 
 class LoopSetup(NamedTuple):
@@ -14,6 +14,7 @@ class LoopSetup(NamedTuple):
     mass: float  # at the start [kg]
     settings: Loop  # [loop] of the scenario
     dt: float  # sample time [s]
+    sensors: Sensors = Sensors()  # [sensors] of the scenario
 
 
 class Measurement(NamedTuple):

@@ -91,3 +91,41 @@ def update(
     if floor > 0.0:
         for i in range(OUTPUTS, n):
             estimate[i] = min(max(estimate[i], floor), 1.0)
+
+
+@compiled
+def update_by_state(
+    filter_state: Any, place: int, slope: float, innovation: float, noise: float, floor: float
+) -> float:
+    """Correct by one number that depends on one state only: y = slope x_place + const + noise.
+
+    Args:
+        filter_state: FILTER record.
+        place: of the state, an effectiveness.
+        slope: dy/dx.
+        innovation: measured less predicted y.
+        noise: variance of y.
+        floor: as `update` takes it.
+
+    Returns:
+        Standard deviation of the innovation.
+    """
+    n = filter_state.count
+    estimate = filter_state.estimate
+    covariance = filter_state.covariance
+    column = filter_state.points[0]
+    gain = filter_state.points[1]
+    spread = slope * slope * covariance[place, place] + noise
+    for i in range(n):
+        column[i] = slope * covariance[i, place]
+        gain[i] = column[i] / spread
+    for i in range(n):
+        estimate[i] += gain[i] * innovation
+        for j in range(i + 1):  # P - K S K^T in Joseph's form, (I - K h) P (I - K h)^T + K R K^T
+            total = covariance[i, j] - gain[i] * column[j] - column[i] * gain[j]
+            covariance[i, j] = total + gain[i] * spread * gain[j]
+            covariance[j, i] = covariance[i, j]
+    if floor > 0.0:
+        for i in range(OUTPUTS, n):
+            estimate[i] = min(max(estimate[i], floor), 1.0)
+    return math.sqrt(spread)

@@ -134,6 +134,9 @@ class Estimator(Section):
     gate_probability: float = Field(0.9999, ge=0.9, le=0.9999999)
     gate_patience: int = Field(5, ge=1, le=1000)  # samples in a row that may be refused
     bounded: bool = False  # estimates kept in [sigma, 1]
+    tuning: Literal["given", "sensors"] = "given"  # covariances above, or by control/tuning.py
+    accelerometer: bool = False  # the force along the velocity is measured, too
+    response_time: float = Field(0.5, ge=0.05, le=60.0)  # s, of the estimate; tuning "sensors" only
 
     @model_validator(mode="after")
     def _sizes(self) -> Self:
@@ -167,6 +170,8 @@ class Loop(Section):
     path_gains: tuple[_Gain, _Gain] = (0.25, 1.0)  # 1/s2 and 1/s, loop `path` only
     trim_filter: float = Field(50.0, ge=0.5, le=1000.0)  # zeta of (10), 1/s
     effectiveness_floor: float = Field(0.05, ge=0.001, le=0.5)  # sigma
+    feedback: Literal["measured", "estimated"] = "measured"  # what the tracking errors are taken of
+    lead_filter: float = Field(50.0, ge=0.5, le=1000.0)  # 1/s, of the rate that the lead takes
     response_lead: bool = True  # lead against the identified lag of load factor and bank
     estimator: Estimator = Estimator()
     detector: Detector = Detector()

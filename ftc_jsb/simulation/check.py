@@ -32,7 +32,7 @@ def check_scenario(scenario: Scenario) -> list[str]:
         aircraft = point_mass_of(fly_ready)
         mass = aircraft.initial_mass(scenario.aircraft.fuel_fraction)
         if loop not in BUILT_IN:
-            make_loop(LoopSetup(aircraft, mass, named, 1.0 / named.rate))
+            make_loop(LoopSetup(aircraft, mass, named, 1.0 / named.rate, scenario.sensors))
         lines.append(f"loop {loop}: found and built")
     return lines
 

@@ -59,7 +59,7 @@ def fly(
     record = blank_recording(scenario, aircraft.thrust.engines)
     if plant is None:
         plant = build_plant(scenario, model, dt)
-    setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt)
+    setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
     first = [record[0][f"{name}_cmd_raw"] for name in ("airspeed", "flight_path_angle", "heading")]
     reference = scenario.reference
     start = (0.0, 0.0, scenario.initial.altitude)

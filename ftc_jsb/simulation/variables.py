@@ -137,6 +137,8 @@ def _outer_loop() -> list[Variable]:
         ]
     return [
         *columns,
+        Variable("acceleration_innovation", "m/s^2", "innovation of the force along the velocity"),
+        Variable("acceleration_innovation_std", "m/s^2", "its standard deviation"),
         Variable("innovation_squared", "1", "normalised innovation squared"),
         Variable("load_factor_demand", "1", "load factor of the law, before the response lead"),
         Variable("bank_angle_demand", "rad", "bank angle of the law, before the response lead"),

@@ -9,12 +9,13 @@ from scipy.linalg import block_diag
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.loops import loop_settings
+from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.estimation.process import FILTER, Forcing, propagate
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.scenario.load import load_scenario
-from tests.point_mass.models import PAPER
+from tests.point_mass.models import AIRCRAFT, PAPER
 
 LOOP = load_scenario("paper").loop
 Q = np.diag(LOOP.estimator.process_noise)
@@ -124,7 +125,7 @@ class Filter:
 
     def __init__(self, x: np.ndarray, p: np.ndarray, **estimator: Any) -> None:
         loop = LOOP.model_copy(update={"estimator": LOOP.estimator.model_copy(update=estimator)})
-        self.settings = loop_settings("ftc", loop, PAPER, 0.01)
+        self.settings = loop_settings(LoopSetup(AIRCRAFT, 0.0, loop, 0.01), PAPER)
         self.filters = np.zeros(1, FILTER)
         self.filters["count"] = 4
         self.filters["estimate"][0, :4] = x

@@ -7,6 +7,7 @@ import numpy as np
 
 from ftc_jsb.control.loops import CompiledLoop
 from ftc_jsb.control.nonaffine import make_law
+from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.estimation.general import make_filter
 from ftc_jsb.point_mass.parameters import load_point_mass
 from ftc_jsb.resources import aircraft_folder
@@ -20,11 +21,12 @@ from tests.validation.flights import measured
 
 def cost_table() -> Iterator[str]:
     """What a step costs, called from Python."""
-    model = load_point_mass(aircraft_folder("paper")).record(0.0)
+    aircraft = load_point_mass(aircraft_folder("paper"))
+    mass, model = aircraft.initial_mass(0.0), aircraft.record(0.0)
     scenario = load_scenario("paper")
     record = blank_recording(scenario)
     record[:] = fly(scenario).record
-    loop = CompiledLoop("ftc", scenario.loop, model, 0.01, record)
+    loop = CompiledLoop(LoopSetup(aircraft, mass, scenario.loop, 0.01), model, record)
     kernels = generate(linearize(fighter_by_velocity()))
     law = make_law(kernels)
     x, u, k = np.array([300.0, 0.0, 0.1]), np.array([4e4, 2.0, 0.5]), np.ones(3)

@@ -1,0 +1,61 @@
+"""Covariances of the filter from what is known before the flight: sensors and turbulence.
+
+Nothing here is tuned to a scenario. R is the noise of the instruments that make up each output. Q
+is what the process model leaves out: the gusts of a design turbulence, as the random walk that the
+Dryden spectra are at high frequency. The Q of an effectiveness follows from the time in which a loss
+shall be followed (`response_time`); it is set where the flight starts, from the thrust of trim.
+"""
+
+import math
+from typing import NamedTuple
+
+from ftc_jsb.disturbance.sensor_profiles import Errors
+from ftc_jsb.units import STANDARD_GRAVITY
+
+GUST = 2.7  # [m/s], rms of moderate turbulence at 3 km (MIL-F-8785C fig. 7)
+SCALE_LENGTH = 533.4  # [m], 1750 ft, above 2000 ft
+DESIGN_AIRSPEED = 250.0  # [m/s]
+LEAST = 1e-10  # a variance that stands for none: the one printed in the paper
+
+
+class Covariances(NamedTuple):
+    """Diagonals of Q and R for airspeed, flight path angle and heading, and the accelerometer's R."""
+
+    process: tuple[float, float, float]  # a step: m^2/s^2, rad^2, rad^2
+    measurement: tuple[float, float, float]
+    acceleration: float  # m^2/s^4
+
+
+def covariances(sensors: dict[str, Errors], dt: float) -> Covariances:
+    """Covariances for a suite of sensors.
+
+    Args:
+        sensors: errors of each signal, angles in degrees.
+        dt: sample time of the loop [s].
+    """
+
+    def variance(name: str) -> float:
+        """Of one sample: a reading that is held over n samples counts n times."""
+        errors = sensors[name]
+        held = max(1.0, 1.0 / (errors.rate * dt)) if errors.rate > 0.0 else 1.0
+        return held * errors.noise**2
+
+    def angle(*names: str) -> float:
+        return sum(variance(name) for name in names) * math.radians(1.0) ** 2
+
+    time = SCALE_LENGTH / DESIGN_AIRSPEED  # [s]
+    along = (
+        GUST**2 * 2.0 / time * dt
+    )  # random walk of white noise through sigma sqrt(2 tau)/(1 + tau s)
+    across = GUST**2 * 3.0 / time * dt / DESIGN_AIRSPEED**2  # sigma sqrt(3/tau) at high frequency
+    vanes = angle("alpha", "sideslip")
+    acceleration = variance("load_factor_x") + angle("alpha")  # the vane turns n of 1 into it
+    return Covariances(
+        (along, across, across),
+        (
+            max(variance("airspeed"), LEAST),
+            max(angle("pitch", "roll") + vanes, LEAST),
+            max(angle("yaw", "roll") + vanes, LEAST),
+        ),
+        max(acceleration * STANDARD_GRAVITY**2, 1e-6),
+    )
