@@ -143,6 +143,8 @@ def _effort(record: npt.NDArray[Any]) -> Metrics:
         "outside_identified_fraction": _part(
             record["outside_range"] > 0.5, record["outside_range"]
         ),
+        "peak_climb_given_up_deg": _peak(np.degrees(record["climb_given_up"])),
+        "peak_turn_given_up_deg_s": _peak(np.degrees(record["turn_given_up"])),
         "thrust_travel_n_per_s": float(travel / duration) if duration > 0.0 else 0.0,
         "peak_thrust_n": _peak(record["thrust"]),
         "peak_load_factor": _peak(record["load_factor"]),

@@ -100,6 +100,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["integral_gains"] = loop.integral_gains if kind.integral else 0.0
     s["track_path"] = kind.path
     s["path_gains"] = loop.path_gains
+    s["speed_first"] = loop.priority == "speed"
     s["trim_filter"] = loop.trim_filter
     s["effectiveness_floor"] = loop.effectiveness_floor
     if loop.response_lead:
@@ -107,7 +108,9 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
             frequency = model[0]["response_frequency"][axis]
             if frequency > 0.0:
                 s["lead"][axis] = 2.0 * model[0]["response_damping"][axis] / frequency
-    s["lead_filter"] = min(loop.lead_filter, ROBUST_LEAD_FILTER) if kind.robust else loop.lead_filter
+    s["lead_filter"] = (
+        min(loop.lead_filter, ROBUST_LEAD_FILTER) if kind.robust else loop.lead_filter
+    )
     size = len(estimator.process_noise)
     s["process_noise"][:size] = estimator.process_noise
     s["measurement_noise"] = estimator.measurement_noise

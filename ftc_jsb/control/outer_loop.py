@@ -12,6 +12,7 @@ from ftc_jsb.control.law import control_law
 from ftc_jsb.control.loop_estimation import estimate, law_effectiveness, report, sensed
 from ftc_jsb.control.loop_records import NO_ESTIMATOR
 from ftc_jsb.control.path import acceleration, rates_of
+from ftc_jsb.control.priority import affordable, give_up
 from ftc_jsb.estimation.process import CHANNELS, OUTPUTS
 from ftc_jsb.point_mass.dynamics import level_trim_thrust, load_factor_limit, velocity
 from ftc_jsb.point_mass.model import at_condition
@@ -60,6 +61,7 @@ def _start(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     for k in range(3):
         x.demand[k] = x.trim[k]
         x.integral[k] = 0.0
+    x.given_up[0], x.given_up[1] = 0.0, 0.0
     for axis in range(2):
         x.command[axis] = x.trim[1 + axis]
         x.slow[axis] = x.trim[1 + axis]
@@ -148,6 +150,25 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
             - s.integral_gains[1] * x.integral[1],
             row.heading_ref_rate - s.gains[2] * errors[2] - s.integral_gains[2] * x.integral[2],
         )
+    effectiveness = law_effectiveness(s, x, row)
+    path_rate, heading_rate = rates[1], rates[2]
+    if s.speed_first == 1:
+        target = affordable(
+            at,
+            effectiveness[0] * at.thrust_maximum,
+            airspeed,
+            path,
+            row.flight_path_angle_ref,
+            row.airspeed_ref_rate,
+            rates[0],
+            rates[2],
+        )
+        per_g = at.gravity / airspeed
+        lowering = give_up(x.given_up, target, row.flight_path_angle_ref, per_g, s.dt)
+        path_rate -= lowering + s.gains[1] * x.given_up[0]
+        heading_rate -= x.given_up[1] * rates[2]
+    row.climb_given_up = x.given_up[0]
+    row.turn_given_up = abs(x.given_up[1] * rates[2])
     wanted = control_law(
         at,
         airspeed,
@@ -155,10 +176,10 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
         x.trim[0],
         x.trim[1],
         x.trim[2],
-        law_effectiveness(s, x, row),
+        effectiveness,
         rates[0],
-        rates[1],
-        rates[2],
+        path_rate,
+        heading_rate,
     )
     load_max = load_factor_limit(at, airspeed, m.load_factor_max, m.lift_coefficient_max)
     x.demand[0] = min(max(wanted[0], at.thrust_idle), at.thrust_maximum)

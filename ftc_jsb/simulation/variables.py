@@ -142,6 +142,10 @@ def _outer_loop() -> list[Variable]:
         Variable("innovation_squared", "1", "normalised innovation squared"),
         Variable("load_factor_demand", "1", "load factor of the law, before the response lead"),
         Variable("bank_angle_demand", "rad", "bank angle of the law, before the response lead"),
+        Variable("climb_given_up", "rad", "path angle below the reference for want of thrust"),
+        Variable(
+            "turn_given_up", "rad/s", "part of the wanted heading rate given up for want of thrust"
+        ),
         Variable("thrust_saturated", "1", "1 while a limit holds the thrust command"),
         Variable("load_factor_saturated", "1", "1 while a limit holds the load factor command"),
         Variable(

@@ -11,7 +11,8 @@ from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.parameters import load_point_mass
 from ftc_jsb.resources import aircraft_folder
 
-PAPER = load_point_mass(aircraft_folder("paper")).record(0.0)
+AIRCRAFT = load_point_mass(aircraft_folder("paper"))
+PAPER = AIRCRAFT.record(0.0)
 F16 = load_point_mass(aircraft_folder("f16")).record(0.43)
 
 MODELS = {"paper": PAPER, "f16": F16}
