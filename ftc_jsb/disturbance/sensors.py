@@ -177,7 +177,7 @@ def _at(record: Any, table: Any, i: int, column: int, time: float) -> float:
         return float(table[0, column])
     step = record[1].time - record[0].time
     place = (time - record[0].time) / step
-    before = min(math.floor(place), i)
+    before = min(math.floor(place + 1e-6), i)
     part = place - before
     if part < 1e-6 or before == i:
         return float(table[before, column])

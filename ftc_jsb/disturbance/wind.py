@@ -127,7 +127,7 @@ def _dryden_step(w: Any, i: int, airspeed: float, dt: float) -> None:
 
 @compiled
 def wind_step(wind: Any, record: Any, i: int, dt: float) -> None:
-    """Wind at the start of sample `i` and its rate over the sample; writes the rows' wind.
+    """Wind at the start of sample `i` and its rate over the sample.
 
     Args:
         wind: (1,) WIND, advanced.
@@ -137,7 +137,6 @@ def wind_step(wind: Any, record: Any, i: int, dt: float) -> None:
     """
     w, row = wind[0], record[i]
     if w.still == 1:
-        row.wind_north, row.wind_east, row.wind_up = 0.0, 0.0, 0.0
         return
     sg, cg = math.sin(row.flight_path_angle), math.cos(row.flight_path_angle)
     sh, ch = math.sin(row.heading), math.cos(row.heading)
@@ -159,7 +158,6 @@ def wind_step(wind: Any, record: Any, i: int, dt: float) -> None:
             up += along * sg + normally * cg
         if moment == 0:
             w.now[0], w.now[1], w.now[2] = north, east, up
-            row.wind_north, row.wind_east, row.wind_up = north, east, up
             if turbulent:
                 _dryden_step(w, i, row.airspeed, dt)
         else:

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.frames import attitude_from_path
 from ftc_jsb.point_mass.dynamics import (
     derivatives,
@@ -146,8 +147,11 @@ def point_mass_step(
 
 
 @compiled
-def point_mass_truth(model: Any, state: Any, record: Any, i: int) -> None:
-    """Write the state of the aircraft to row `i`; its attitude is that of flight without sideslip."""
+def point_mass_truth(model: Any, wind: Any, state: Any, record: Any, i: int, dt: float) -> None:
+    """Write the state of the aircraft and the wind to row `i`, and move the wind on.
+
+    The attitude is that of flight without sideslip.
+    """
     m, s, row = model[0], state[0], record[i]
     x = s.x
     at = at_condition(m, x[0], x[5])
@@ -166,6 +170,8 @@ def point_mass_truth(model: Any, state: Any, record: Any, i: int) -> None:
     row.load_factor_z = x[6] * ca - along * sa
     row.roll, row.pitch, turn = attitude_from_path(x[1], x[8], row.alpha)
     row.yaw = x[2] + turn
+    wind_step(wind, record, i, dt)
+    row.wind_north, row.wind_east, row.wind_up = wind[0].now
 
 
 @compiled

@@ -7,7 +7,6 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import direct
-from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.point_mass.motion import (
     POINT_MASS_STATE,
     point_mass_step,
@@ -49,15 +48,14 @@ class PointMassPlant:
             model, initial.airspeed, initial.altitude, path
         )
         self._record = record
-        self._truth = direct(point_mass_truth, model, self.state, record, 0)
+        truth = (model, self.wind, self.state, record, 0, self.dt)
+        self._truth = direct(point_mass_truth, *truth)
         step = (model, self.wind, self.state, record, 0, self.dt, self.substeps)
         self._step = direct(point_mass_step, *step)
-        self._blow = direct(wind_step, self.wind, record, 0, self.dt)
 
     def truth(self, i: int) -> None:
         """Write the state to row `i`."""
-        self._truth(self.model, self.state, self._record, i)
-        self._blow(self.wind, self._record, i, self.dt)
+        self._truth(self.model, self.wind, self.state, self._record, i, self.dt)
 
     def step(self, i: int) -> None:
         """Fly the commands of row `i` for one sample."""

@@ -9,7 +9,6 @@ from ftc_jsb.compiled import compiled
 from ftc_jsb.control.command_filter import reference_step
 from ftc_jsb.control.outer_loop import outer_loop_step
 from ftc_jsb.disturbance.sensors import measure
-from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.point_mass.motion import point_mass_step, point_mass_truth
 from ftc_jsb.simulation.monitor import FLYING, departed
 
@@ -36,7 +35,7 @@ def point_mass_flight(
     Args:
         settings, model, loop_state: as `outer_loop_step` takes them.
         plant_state, dt, substeps: as `point_mass_step` takes them.
-        wind: as `wind_step` takes it.
+        wind: (1,) WIND.
         sensors, faults, table: as `measure` takes them.
         filters: as `reference_step` takes them.
         record: (rows,) of the recording.
@@ -46,8 +45,7 @@ def point_mass_flight(
         The last row that was begun, and why it was not flown on from (FLYING if it was).
     """
     for i in range(first, beyond):
-        point_mass_truth(model, plant_state, record, i)
-        wind_step(wind, record, i, dt)
+        point_mass_truth(model, wind, plant_state, record, i, dt)
         measure(sensors, faults, record, table, i)
         reference_step(filters, record, i)
         reason = departed(record, i)

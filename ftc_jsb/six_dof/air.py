@@ -11,6 +11,8 @@ from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.units import FOOT
 
 MILSPEC = 3  # JSBSim's number of the MIL-F-8785C model
+# JSBSim's generator is a linear congruence: neighbouring seeds give like numbers, 0 those of 1
+SPREAD, MODULUS = 2654435761, 2**31 - 2
 
 
 def set_turbulence(fdm: Any, wind: Wind, seed: int) -> None:
@@ -21,7 +23,7 @@ def set_turbulence(fdm: Any, wind: Wind, seed: int) -> None:
     """
     if wind.turbulence == "none":
         return
-    write_checked(fdm, "simulation/randomseed", float(seed))
+    write_checked(fdm, "atmosphere/randomseed", float(1 + seed * SPREAD % MODULUS))
     write_checked(fdm, "atmosphere/turb-type", float(MILSPEC))
     name = "atmosphere/turbulence/milspec"
     write_checked(fdm, f"{name}/severity", float(SEVERITY[wind.turbulence]))
