@@ -40,13 +40,12 @@ def test_flame_out_leaves_no_thrust():
 
 
 def test_engine_that_is_lit_again_spools_up_from_idle():
-    """Out for 0.6 s at dry thrust: less than 0.8 of the command 0.05 s later, all of it after 2 s."""
+    """Out for 0.6 s: less than half of the command 0.4 s later, all of it after 4 s."""
     record = flown(
         "loop.name=no-ftc", target="engine[0]", kind="flame-out", start=4.0, end=4.6
     ).record
-    assert record["thrust_cmd"][465] < 70e3
-    assert record["thrust"][465] < 0.8 * record["thrust_cmd"][465]
-    assert record["thrust"][660] == pytest.approx(record["thrust_cmd"][660], rel=0.03)
+    assert record["thrust"][500] < 0.5 * record["thrust_cmd"][500]
+    assert record["thrust"][860] == pytest.approx(record["thrust_cmd"][860], rel=0.03)
 
 
 def test_stuck_throttle_stays_and_its_effectiveness_is_not_told():
