@@ -125,7 +125,8 @@ def _detection(record: npt.NDArray[Any]) -> Metrics:
     if faulty.size and estimates:
         after = onsets[onsets >= faulty[0]]
         delay = float(time[after[0]] - time[faulty[0]]) if after.size else None
-    recently = np.array(truth < HEALTHY)  # faulty now, or less than SETTLING ago
+    # Faulty now, or less than SETTLING ago; a truth that is not known is not healthy
+    recently = ~(truth >= HEALTHY)
     for end in np.flatnonzero(np.diff(recently.astype(int)) == -1) + 1:
         recently |= (time >= time[end]) & (time < time[end] + SETTLING)
     return {

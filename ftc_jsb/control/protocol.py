@@ -33,6 +33,12 @@ class Measurement(NamedTuple):
     pitch_rate: float
     elevator: float
     flap: float
+    roll: float
+    pitch: float
+    yaw: float
+    roll_rate: float
+    yaw_rate: float
+    acceleration: float  # of the force along the velocity, thrust less drag, over mass [m/s^2]
 
 
 class Reference(NamedTuple):

@@ -5,7 +5,9 @@ from typing import Any
 
 from ftc_jsb.compiled import compiled
 
-FLYING, NOT_FINITE, STOPPED, VERTICAL, STALLED, GROUND = range(6)
+FLYING, NOT_FINITE, STOPPED, VERTICAL, STALLED, GROUND, DRY = range(7)
+
+LEAST_FUEL = 0.5  # [kg]: what is left when JSBSim's engines starve
 
 REASONS = {
     NOT_FINITE: "the state is no longer finite",
@@ -13,6 +15,7 @@ REASONS = {
     VERTICAL: "flight path steeper than 85 deg, where (41) is singular",
     STALLED: "angle of attack beyond 60 deg",
     GROUND: "altitude below sea level",
+    DRY: "no fuel is left",
 }
 
 
@@ -31,4 +34,6 @@ def departed(record: Any, i: int) -> int:
         return STALLED
     if row.altitude < 0.0:
         return GROUND
+    if row.fuel < LEAST_FUEL:  # nan, and so never, on the point masses
+        return DRY
     return FLYING

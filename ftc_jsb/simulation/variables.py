@@ -61,6 +61,7 @@ def _truth() -> list[Variable]:
         Variable("drag", "N", "drag"),
         Variable("mach", "1", "Mach number"),
         Variable("mass", "kg", "mass"),
+        Variable("fuel", "kg", "fuel on board"),
         Variable("alpha", "rad", "angle of attack"),
         Variable("sideslip", "rad", "angle of sideslip, positive with the wind from the right"),
         Variable("roll", "rad", "Euler roll angle"),

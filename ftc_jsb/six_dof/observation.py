@@ -34,6 +34,7 @@ PROPERTIES = (
     "atmosphere/total-wind-north-fps",
     "atmosphere/total-wind-east-fps",
     "atmosphere/total-wind-down-fps",
+    "propulsion/total-fuel-lbs",
 )
 POSITION_NAMES = ("throttle", "elevator", "aileron", "rudder", "flap")  # of aircraft.toml
 POSITIONS = len(PROPERTIES)
@@ -90,6 +91,7 @@ def observe(raw: Any, state: Any, record: Any, i: int) -> None:
         row.north += s.north[k] * offset
         row.east += s.east[k] * offset
     row.mass = raw[16] * POUND_MASS
+    row.fuel = raw[22] * POUND_MASS
     row.drag = raw[17] * POUND_FORCE  # positive against the velocity
     row.throttle, row.elevator, row.aileron = raw[POSITIONS], raw[POSITIONS + 1], raw[POSITIONS + 2]
     row.rudder, row.flap = raw[POSITIONS + 3], raw[POSITIONS + 4]

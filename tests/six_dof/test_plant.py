@@ -177,3 +177,20 @@ def test_fuel_fraction_sets_the_mass():
             for model in ("identified", "jsbsim")
         ]
         assert masses[0] == pytest.approx(masses[1], abs=1.0)
+
+
+def test_flight_ends_where_the_fuel_does():
+    """3 % of the internal fuel in full reheat: over within minutes, with the reason, before the engine starves."""
+    flight = fly(
+        load_scenario(
+            "nominal",
+            [
+                "model=jsbsim", "duration=600", "aircraft.fuel_fraction=0.03",
+                "reference.airspeed=[[0,300],[1,340]]", "loop.gains=[5,1,1]",
+            ],
+        )
+    )  # fmt: skip
+    assert flight.outcome.status == "departed"
+    assert flight.outcome.reason == "no fuel is left"
+    assert flight.record["fuel"][-2] > 0.5
+    assert np.all(np.diff(flight.record["fuel"]) <= 0.0)
