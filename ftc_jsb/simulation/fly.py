@@ -14,7 +14,7 @@ from ftc_jsb.control.loops import CompiledLoop, RecordedLoop, build_loop
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.disturbance.sensors import Senses, measure, sensor_record
-from ftc_jsb.disturbance.wind import wind_record
+from ftc_jsb.disturbance.weather import wind_record
 from ftc_jsb.errors import AircraftError, LoopError, ScenarioError
 from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder

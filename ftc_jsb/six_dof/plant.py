@@ -7,7 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import direct
-from ftc_jsb.disturbance.wind import wind_record, wind_step
+from ftc_jsb.disturbance.weather import wind_record
+from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.scenario.schema import AircraftChoice, Initial, Wind
 from ftc_jsb.simulation.variables import numbers

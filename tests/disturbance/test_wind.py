@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.signal import welch
 
-from ftc_jsb.disturbance.wind import intensity, wind_record, wind_step
+from ftc_jsb.disturbance.weather import intensity, wind_record
+from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Wind
 from ftc_jsb.simulation.fly import fly
