@@ -180,7 +180,7 @@ def test_fuel_fraction_sets_the_mass():
 
 
 def test_flight_ends_where_the_fuel_does():
-    """3 % of the internal fuel in full reheat: over within minutes, with the reason, before the engine starves."""
+    """3 % of the internal fuel in full reheat: over within minutes, with the reason."""
     flight = fly(
         load_scenario(
             "nominal",
