@@ -12,8 +12,9 @@ from ftc_jsb.units import STANDARD_GRAVITY
 
 MACH_STEP = 0.05
 LIFT_STEP = 0.025
-ALPHA_STEP = np.radians(2.5)
+ALPHA_STEP = np.radians(0.75)
 ELEVATOR_STEP = np.radians(12.5)
+END_SHARE = 0.3  # of a step by which data must go beyond the last regular knot to get one more
 BREAK_WIDTH = 0.002  # [-], half the distance of the knots of a break
 RIDGE = 1e-5  # of relative drag: decides only what no flight has seen
 SMOOTH = 1e-3  # of the polar across Mach knots: what no flight has seen is like its neighbours
@@ -68,6 +69,10 @@ def knots_to_the_ends(values: Array, step: float) -> Array:
 def mach_knots(values: Array, breaks: Sequence[float]) -> Array:
     """Mach knots, with a pair of them close to each Mach number at which flaps switch."""
     regular = knots(values, MACH_STEP)
+    low, high = np.percentile(values, (1.0, 99.0))
+    ends = [low] if regular[0] - low > END_SHARE * MACH_STEP else []
+    ends += [high] if high - regular[-1] > END_SHARE * MACH_STEP else []
+    regular = np.sort(np.concatenate([regular, ends]))
     pairs = np.array([m + side * BREAK_WIDTH for m in breaks for side in (-1.0, 1.0)])
     near = [np.min(np.abs(m - pairs), initial=np.inf) for m in regular]
     return np.sort(np.concatenate([regular[np.array(near) > 2.0 * BREAK_WIDTH], pairs]))
@@ -112,7 +117,12 @@ def _polar_design(data: Sample, mach: Array, lift: Array) -> Array:
 
 
 def fit_polar(data: Sample, breaks: Sequence[float]) -> Polar:
-    """C_D(C_L, Mach), least squares of the relative residual."""
+    """C_D(C_L, Mach), least squares of the relative residual.
+
+    Args:
+        data: samples whose drag is that without sideslip.
+        breaks: Mach numbers at which flaps switch.
+    """
     mach, lift = mach_knots(data.mach, breaks), knots(data.lift, LIFT_STEP)
     data = between(data, mach, lift)
     m, n = len(mach), len(lift)
@@ -147,6 +157,7 @@ class AnglesDrag(NamedTuple):
     alpha_elevator: Array
     pitch_rate: Array
     flap: float
+    sideslip: Array
     sideslip_squared: float
 
     def predict(self, data: Sample) -> Array:
@@ -158,10 +169,16 @@ class AnglesDrag(NamedTuple):
                     self.mach_alpha.ravel(),
                     self.alpha_elevator.ravel(),
                     self.pitch_rate,
+                    self.sideslip,
                     [self.flap, self.sideslip_squared],
                 ]
             )
         )
+
+    def of_sideslip(self, data: Sample) -> Array:
+        """The part of C_D that sideslip makes."""
+        slope = hats(data.alpha, self.alpha) @ self.sideslip
+        return np.asarray(slope * np.abs(data.sideslip) + self.sideslip_squared * data.sideslip**2)
 
 
 def _angles_design(data: Sample, mach: Array, alpha: Array, elevator: Array) -> Array:
@@ -171,6 +188,7 @@ def _angles_design(data: Sample, mach: Array, alpha: Array, elevator: Array) -> 
             product(hats(data.mach, mach), at_alpha),
             product(at_alpha, hats(data.elevator, elevator)),
             at_alpha * data.pitch_rate[:, None],
+            at_alpha * np.abs(data.sideslip)[:, None],
             data.flap[:, None],
             data.sideslip[:, None] ** 2,
         ]
@@ -183,7 +201,7 @@ def fit_angles_drag(data: Sample, breaks: Sequence[float]) -> AnglesDrag:
     data = between(data, mach)
     elevator = knots_to_the_ends(data.elevator, ELEVATOR_STEP)
     m, n, k = len(mach), len(alpha), len(elevator)
-    sizes = np.cumsum([m * n, n * k, n, 1, 1])
+    sizes = np.cumsum([m * n, n * k, n, n, 1, 1])
     level = 1.0 / np.mean(data.drag)
     smooth = np.zeros(((m - 2) * n, sizes[-1]))
     smooth[:, : m * n] = rough(m, n)
@@ -193,10 +211,10 @@ def fit_angles_drag(data: Sample, breaks: Sequence[float]) -> AnglesDrag:
         1.0 / data.drag,
         [ANGLES_SMOOTH * level * smooth, RIDGE * np.eye(sizes[-1])],
     )
-    table, elevator_table, pitch_rate, flap, sideslip = np.split(solution, sizes[:-1])
+    table, elevator_table, pitch_rate, sideslip, flap, squared = np.split(solution, sizes[:-1])
     return AnglesDrag(
         mach, alpha, elevator, table.reshape(m, n), elevator_table.reshape(n, k), pitch_rate,
-        float(flap[0]), float(sideslip[0]),
+        float(flap[0]), sideslip, float(squared[0]),
     )  # fmt: skip
 
 

@@ -12,6 +12,7 @@ import ftc_jsb
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.identify import manoeuvres
 from ftc_jsb.identify.aerodynamics import (
+    between,
     fit_alpha,
     fit_angles_drag,
     fit_polar,
@@ -52,14 +53,18 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
     unseen = _fly(aircraft, area, manoeuvres.held_out, progress)
     progress(f"fitting {sum(map(len, fitted)) * DT:.0f} s of flight")
     data, check = sample(fitted, area), sample(unseen, area)
+    flown = len(check.mach)
     breaks = aircraft.flight_test.mach_breaks
-    polar, angles = fit_polar(data, breaks), fit_angles_drag(data, breaks)
+    angles = fit_angles_drag(data, breaks)
+    polar = fit_polar(data._replace(drag=data.drag - angles.of_sideslip(data)), breaks)
+    check = between(check, polar.mach)  # where the loop does not call the model extrapolated
     alpha = fit_alpha(data, polar.mach)
     deck = fit_deck(fitted)
     spool_up, spool_down = fit_spool(fitted, deck)
     load_factor = fit_lag(fitted, "load_factor", DT)
     bank = fit_lag(fitted, "bank_angle", DT, limited=True)
-    polar_error = relative_residual(polar.predict(check), check)
+    straight_error = relative_residual(polar.predict(check), check)
+    polar_error = relative_residual(polar.predict(check) + angles.of_sideslip(check), check)
     angles_error = relative_residual(angles.predict(check), check)
     thrust_error = _thrust_residual(unseen, deck, spool_up, spool_down)
     return {
@@ -92,6 +97,7 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
             "alpha_elevator": _rounded(angles.alpha_elevator, 6),
             "pitch_rate": _rounded(angles.pitch_rate, 5),
             "flap": round(angles.flap, 6),
+            "sideslip": _rounded(angles.sideslip, 6),
             "sideslip_squared": round(angles.sideslip_squared, 5),
         },
         "thrust": {
@@ -123,8 +129,10 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
             "ftc_jsb": ftc_jsb.__version__,
             "flights": len(fitted),
             "flights_held_out": len(unseen),
+            "held_out_beyond_mach_range_percent": round(100.0 * (1.0 - len(check.mach) / flown), 2),
             "alpha_range_deg": _range(np.degrees(data.alpha)),
             "residual_drag_polar_percent": _percent(polar_error),
+            "residual_drag_polar_without_sideslip_percent": _percent(straight_error),
             "residual_drag_angles_percent": _percent(angles_error),
             "residual_thrust_percent_of_maximum": _percent(thrust_error),
             "residual_load_factor_response": round(load_factor.residual, 4),

@@ -67,6 +67,14 @@ def alpha_slope(at: Condition, lift_coefficient: float) -> float:
 
 
 @compiled
+def _between(row: Any, j: int, fraction: float) -> float:
+    """Value of a row of a table between its knots j and j + 1."""
+    if fraction == 0.0:
+        return float(row[j])
+    return float(row[j] + fraction * (row[j + 1] - row[j]))
+
+
+@compiled
 def measured_drag_coefficient(
     model: Any,
     mach: float,
@@ -78,21 +86,20 @@ def measured_drag_coefficient(
 ) -> float:
     """Drag coefficient from what an aircraft measures of itself, as identified.
 
-    The sum of tables over (Mach, alpha) and (alpha, elevator), of a slope in q / V [rad/m] that
-    depends on alpha, and of terms in flap and sideslip squared; angles in rad, tables linear
-    between knots. It serves the estimator, whose accuracy is the drag's: an error dD of the drag
+    The sum of tables over (Mach, alpha) and (alpha, elevator), of slopes in q / V [rad/m] and in the
+    magnitude of sideslip that depend on alpha, and of terms in flap and sideslip squared; angles in
+    rad, tables linear between knots. It serves the estimator, whose accuracy is the drag's: an error dD of the drag
     is an error dD / T of the effectiveness.
     """
     i, a = bracket(model.measured_mach, model.measured_mach_count, mach)
     j, b = bracket(model.measured_alpha, model.measured_alpha_count, alpha)
     k, c = bracket(model.measured_elevator, model.measured_elevator_count, elevator)
-    slope = model.measured_pitch_rate[j]
-    if b > 0.0:
-        slope += b * (model.measured_pitch_rate[j + 1] - slope)
+    slope = _between(model.measured_pitch_rate, j, b)
     return float(
         bilinear(model.measured_mach_alpha, i, a, j, b)
         + bilinear(model.measured_alpha_elevator, j, b, k, c)
         + slope * pitch_rate_per_speed
         + model.measured_flap * flap
-        + model.measured_sideslip * sideslip * sideslip
+        + _between(model.measured_sideslip, j, b) * abs(sideslip)
+        + model.measured_sideslip_squared * sideslip * sideslip
     )

@@ -14,7 +14,7 @@ from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 MACH_KNOTS = 24
 ALTITUDE_KNOTS = 12
 LIFT_KNOTS = 80
-ALPHA_KNOTS = 16
+ALPHA_KNOTS = 48
 ELEVATOR_KNOTS = 12
 DRAG_TERMS = 3  # powers 0..2 of the lift coefficient
 ALPHA_TERMS = 4  # powers 0..3 of the lift coefficient
@@ -50,7 +50,8 @@ MODEL = np.dtype(
         ("measured_alpha_elevator", float, (ALPHA_KNOTS, ELEVATOR_KNOTS)),
         ("measured_pitch_rate", float, (ALPHA_KNOTS,)),  # [m/rad], times q / V
         ("measured_flap", float),  # [1/rad]
-        ("measured_sideslip", float),  # [1/rad^2]
+        ("measured_sideslip", float, (ALPHA_KNOTS,)),  # [1/rad], times its magnitude
+        ("measured_sideslip_squared", float),  # [1/rad^2]
         ("deck_mach_count", np.int64),
         ("deck_altitude_count", np.int64),
         ("deck_mach", float, (MACH_KNOTS,)),

@@ -102,6 +102,7 @@ class MeasuredDrag(Section):
     alpha_elevator: _Table
     pitch_rate: _Row  # m/rad, for each alpha; times q / V
     flap: _Number  # 1/rad
+    sideslip: _Row = ()  # 1/rad, for each alpha; times its magnitude
     sideslip_squared: _Number  # 1/rad2
 
     @model_validator(mode="after")
@@ -113,6 +114,8 @@ class MeasuredDrag(Section):
         _shaped("measured_drag.mach_alpha", self.mach_alpha, len(self.mach), rows)
         _shaped("measured_drag.alpha_elevator", self.alpha_elevator, rows, columns)
         _shaped("measured_drag.pitch_rate", (self.pitch_rate,), 1, rows)
+        if self.sideslip:
+            _shaped("measured_drag.sideslip", (self.sideslip,), 1, rows)
         return self
 
 
@@ -242,7 +245,8 @@ def _fill_measured_drag(m: Any, drag: MeasuredDrag) -> None:
     m["measured_alpha_elevator"][:columns, :depth] = drag.alpha_elevator
     m["measured_pitch_rate"][:columns] = drag.pitch_rate
     m["measured_flap"] = drag.flap
-    m["measured_sideslip"] = drag.sideslip_squared
+    m["measured_sideslip"][: len(drag.sideslip)] = drag.sideslip
+    m["measured_sideslip_squared"] = drag.sideslip_squared
 
 
 def load_point_mass(folder: Path) -> PointMass:

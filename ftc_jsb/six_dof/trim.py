@@ -54,6 +54,7 @@ def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
     jsbsim.set_logger(listener)
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
+    fdm.set_dt(dt)  # before loading: actuators and filters take their time step when they are read
     listener.text = ""  # the banner
     try:
         loaded = fdm.load_model_with_paths(
@@ -69,7 +70,6 @@ def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
     if not loaded:
         said = " ".join(listener.text.split())[:400]
         raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim cannot load it: {said}")
-    fdm.set_dt(dt)
     return fdm
 
 
@@ -86,8 +86,12 @@ def trimmed(
     return _trim(aircraft, root, dt, initial, fuel_fraction)  # the same, at time zero
 
 
-def _trim(aircraft: Aircraft, root: Path, dt: float, initial: Initial, fuel_fraction: float) -> Any:
-    fdm = load(aircraft, root, dt)
+def set_condition(aircraft: Aircraft, fdm: Any, initial: Initial, fuel_fraction: float) -> None:
+    """Initial condition, set-up and fuel of a loaded aircraft, before `run_ic`.
+
+    Raises:
+        AircraftError: a property is missing or read-only, or a fuel tank is empty.
+    """
     conditions = {
         "ic/h-sl-ft": initial.altitude / FOOT,
         "ic/vt-fps": initial.airspeed / FOOT,
@@ -102,6 +106,11 @@ def _trim(aircraft: Aircraft, root: Path, dt: float, initial: Initial, fuel_frac
     for name, value in aircraft.setup.items():
         write_checked(fdm, name, value)
     _fuel(aircraft, fdm, fuel_fraction)
+
+
+def _trim(aircraft: Aircraft, root: Path, dt: float, initial: Initial, fuel_fraction: float) -> Any:
+    fdm = load(aircraft, root, dt)
+    set_condition(aircraft, fdm, initial, fuel_fraction)
     try:
         accepted = fdm.run_ic()
     except Exception as error:  # an unknown property in the woven systems, say

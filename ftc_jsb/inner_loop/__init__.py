@@ -1,0 +1,1 @@
+"""Design of the inner loop's numbers: airframe measured, references searched for, steps flown."""
