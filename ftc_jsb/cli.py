@@ -178,6 +178,28 @@ def identify(aircraft: str, out: Path | None, force: bool) -> None:
     click.echo(f"Written: {folder / 'point_mass.toml'}")
 
 
+@main.command("inner-loop")
+@click.argument("aircraft", metavar="AIRCRAFT...", nargs=-1, required=True)
+@click.option("--report", "judge", is_flag=True, help="Fly and judge the steps; design nothing.")
+@_out_option
+@_force_option
+def inner_loop(aircraft: tuple[str, ...], judge: bool, out: Path | None, force: bool) -> None:
+    """Design the inner loop of each AIRCRAFT: write inner_loop.xml, the steps' table and figure.
+
+    One folder for each in DIR; with --report only table and figures, all in DIR.
+    """
+    from ftc_jsb.report.inner_loop import design_and_report, report_steps
+    from ftc_jsb.simulation.folder import output_folder
+    from ftc_jsb.six_dof.aircraft import load_aircraft
+
+    loaded = [load_aircraft(name) for name in aircraft]
+    with output_folder(out, "inner-loop", force) as folder:
+        if not judge:
+            loaded = design_and_report(loaded, folder, lambda line: click.echo(line, err=True))
+        click.echo(report_steps(loaded, folder))
+    click.echo(f"Written: {folder}")
+
+
 # --- what the commands share ------------------------------------------------------------------
 
 

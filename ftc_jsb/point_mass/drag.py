@@ -88,8 +88,8 @@ def measured_drag_coefficient(
 
     The sum of tables over (Mach, alpha) and (alpha, elevator), of slopes in q / V [rad/m] and in the
     magnitude of sideslip that depend on alpha, and of terms in flap and sideslip squared; angles in
-    rad, tables linear between knots. It serves the estimator, whose accuracy is the drag's: an error dD of the drag
-    is an error dD / T of the effectiveness.
+    rad, tables linear between knots. It serves the estimator, whose accuracy is the drag's: an error
+    dD of the drag is an error dD / T of the effectiveness.
     """
     i, a = bracket(model.measured_mach, model.measured_mach_count, mach)
     j, b = bracket(model.measured_alpha, model.measured_alpha_count, alpha)
