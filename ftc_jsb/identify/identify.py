@@ -26,6 +26,7 @@ from ftc_jsb.identify.response import fit_lag
 from ftc_jsb.point_mass.parameters import PointMass
 from ftc_jsb.point_mass.thrust import spool_rate
 from ftc_jsb.six_dof.aircraft import Aircraft
+from ftc_jsb.six_dof.properties import engine_count
 from ftc_jsb.six_dof.trim import load
 from ftc_jsb.six_dof.weaving import woven_aircraft
 from ftc_jsb.units import FOOT, POUND_MASS
@@ -101,6 +102,7 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
             "sideslip_squared": round(angles.sideslip_squared, 5),
         },
         "thrust": {
+            "engines": airframe["engines"],
             "mach": _rounded(deck.mach, 6),
             "altitude": _rounded(deck.altitude, 3),
             "idle": _rounded(deck.idle, 1),
@@ -173,7 +175,7 @@ def _fly(
 
 
 def _airframe(aircraft: Aircraft) -> dict[str, Any]:
-    """What the aircraft's data sheet says: reference area and masses."""
+    """What the aircraft's data sheet says: reference area, masses, engines."""
     import jsbsim
 
     fdm = load(aircraft, woven_aircraft(aircraft, True), DT)
@@ -187,6 +189,7 @@ def _airframe(aircraft: Aircraft) -> dict[str, Any]:
         "area": round(fdm["metrics/Sw-sqft"] * FOOT**2, 6),
         "empty": round(fdm["inertia/weight-lbs"] * POUND_MASS, 3),
         "fuel_capacity": round(capacity * POUND_MASS, 3),
+        "engines": engine_count(fdm),
         "jsbsim": jsbsim.__version__,
     }
 

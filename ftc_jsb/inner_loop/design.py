@@ -110,7 +110,11 @@ def _write(folder: Path, aircraft: Aircraft, airframe: Airframe, references: Ref
 
 def _provisional(aircraft: Aircraft) -> Airframe:
     """Numbers that only let the aircraft be woven: the airframe is measured with the loop disengaged."""
-    surfaces = {"elevator": (-0.01,), "aileron": (0.01,), "rudder": (-0.01,)}
+    surfaces: dict[str, tuple[float, ...]] = {
+        "elevator": (-0.01,),
+        "aileron": (0.01,),
+        "rudder": (-0.01,),
+    }
     return Airframe((1.0,), (3.0,), surfaces, (1.0,), dict.fromkeys(surfaces, 1.0))
 
 

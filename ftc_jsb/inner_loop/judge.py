@@ -30,7 +30,7 @@ ALTITUDE = 3048.0  # [m]
 FUEL = 0.43  # of internal fuel
 STEP_TIME = 5.0  # [s]
 BANK_TIME = 6.0  # [s]
-THRUST_TIMES = (3.0, 6.0, 9.0)  # [s]: idle until, full until, idle again until
+THRUST_TIMES = (3.0, 9.0, 13.0)  # [s]: idle until, full until, idle again until
 NEAR = 0.01  # of the span from idle to full: thrust has arrived
 
 

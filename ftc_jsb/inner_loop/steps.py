@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.scenario.schema import AircraftChoice, Initial
+from ftc_jsb.disturbance.faults import fault_records, schedule
+from ftc_jsb.scenario.schema import ENGINES, AircraftChoice, Initial
 from ftc_jsb.simulation.variables import ROW
 from ftc_jsb.six_dof.aircraft import Aircraft
 from ftc_jsb.six_dof.plant import JsbsimPlant
@@ -63,7 +64,7 @@ def fly_commands(
     """
     record = np.zeros(round(seconds / DT), ROW)
     record["time"] = np.arange(record.size) * DT
-    record["effectiveness_thrust"] = 1.0
+    schedule(fault_records(()), ENGINES, record)
     watched = np.zeros((record.size, 5))
     choice = AircraftChoice(
         name=str(aircraft.folder),

@@ -26,7 +26,8 @@ def design_and_report(
     """
     designed = []
     for one in aircraft:
-        airframe, references = design(one, lambda line, name=one.name: progress(f"{name}: {line}"))
+        progress(f"{one.name}:")
+        airframe, references = design(one, progress)
         own = folder / one.name
         shutil.copytree(one.folder, own, dirs_exist_ok=True)
         write_design(own / "inner_loop.xml", one, airframe, references)

@@ -9,14 +9,17 @@ EFFECTIVENESS = "ftc/effectiveness/engine"  # one a engine: [0], [1]; 1 = health
 
 
 def thrust_tables(engine: ET.Element, name: str) -> dict[str, ET.Element]:
-    """Healthy idle, military and maximum thrust [lbs] as JSBSim functions of the engine's tables."""
+    """Healthy idle, military and maximum thrust [lbs] as JSBSim functions of the engine's tables.
+
+    Bleed air takes its share of the dry thrust; JSBSim's reheat makes up for it.
+    """
     if engine.tag != "turbine_engine":
         raise AircraftError(f"{name}.xml: a {engine.tag}; only turbine engines can be woven")
     tables = {f.attrib["name"]: f[0] for f in engine.findall("function")}
     for function in ("IdleThrust", "MilThrust"):
         if function not in tables:
             raise AircraftError(f"{name}.xml: no function {function!r}; the thrust deck needs it")
-    military = required(engine, "milthrust").text or ""
+    military = repr(float(required(engine, "milthrust").text or "") * (1.0 - _bleed(engine)))
     idle = _node("product", _value(military), tables["IdleThrust"])
     spread = _node("difference", _value("1"), tables["IdleThrust"])
     dry = _node("sum", tables["IdleThrust"], _node("product", spread, tables["MilThrust"]))
@@ -26,6 +29,10 @@ def thrust_tables(engine: ET.Element, name: str) -> dict[str, ET.Element]:
         maximum = required(engine, "maxthrust").text or ""
         decks["maximum"] = _node("product", _value(maximum), tables["AugThrust"])
     return decks
+
+
+def _bleed(engine: ET.Element) -> float:
+    return float(engine.findtext("bleed", "0"))
 
 
 def apply_effectiveness(engine: ET.Element) -> None:
@@ -83,7 +90,9 @@ def throttle_system(engines: list[ET.Element], name: str, military: float) -> ET
     channel = ET.SubElement(system, "channel", name="throttles")
     for number, engine in enumerate(engines):
         throttle = _property("ftc/throttle")
-        if engine.findtext("augmethod", "0").strip() == "1" and _has_reheat(engine):
+        if not _has_reheat(engine):  # JSBSim would spool it beyond its maximum
+            throttle = _node("min", _value("1"), throttle)
+        elif engine.findtext("augmethod", "0").strip() == "1":
             throttle = _switched()
         wanted = _node("product", _value(repr(military)), throttle)
         engaged = _node("gt", _property("ftc/engaged"), _value("0.5"))

@@ -39,14 +39,18 @@ def weave_faults(fdm: ET.Element, aircraft: Aircraft, engines: int) -> None:
         AircraftError: the aerodynamics do not read a position that `aircraft.toml` names.
     """
     control, aerodynamics = fdm.find("flight_control"), fdm.find("aerodynamics")
-    if control is None or aerodynamics is None:
-        raise AircraftError(f"aircraft {aircraft.name!r}: no flight_control or no aerodynamics")
+    if aerodynamics is None:
+        raise AircraftError(f"aircraft {aircraft.name!r}: no aerodynamics")
+    if control is None:  # its flight control is made of systems, and those run before this one
+        control = ET.Element("flight_control", name="ftc faults")
+        fdm.insert(list(fdm).index(aerodynamics), control)
     channel = ET.SubElement(control, "channel", name="ftc faults")
     for name in SURFACES:
         _declare(control, surface_state(name), "0")
         _declare(control, surface_effectiveness(name), "1")
         for position in getattr(aircraft.surfaces, name):
             channel.append(_surface(name, position))
+            _magnitudes(aerodynamics, position.property)
             if not _renamed(aerodynamics.iter(), position.property):
                 raise AircraftError(
                     f"aircraft {aircraft.name!r}, surfaces.{name}: the aerodynamics do not read "
@@ -65,6 +69,15 @@ def _renamed(elements: Iterable[ET.Element], property_name: str) -> int:
             element.text = at_the_surface(property_name)
             found += 1
     return found
+
+
+def _magnitudes(aerodynamics: ET.Element, property_name: str) -> None:
+    """Let JSBSim's own magnitude of a position, `fcs/mag-...`, be that of the surface."""
+    magnitude = property_name.replace("fcs/", "fcs/mag-", 1)
+    for element in list(aerodynamics.iter("property")):
+        if (element.text or "").strip() == magnitude:
+            element.tag, element.text = "abs", None
+            ET.SubElement(element, "property").text = property_name
 
 
 def _declare(control: ET.Element, name: str, value: str) -> None:
