@@ -33,7 +33,7 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
     """Deck from samples whose throttle stands nearly still.
 
     Dry thrust is idle (1 - N^2) + military N^2 with N the throttle up to 1; reheat, the throttle
-    above 1, goes from there to maximum.
+    above 1, goes from there to maximum, which is military thrust where it never does.
 
     Raises:
         AircraftError: the flights hold no settled thrust.
@@ -63,6 +63,8 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
     weight = np.full(len(rows), scale)
     solution = solve(design, rows["thrust"], weight, [1e-5 * scale * smooth])
     idle, military, maximum = solution.reshape(3, m, n)
+    if not reheat.any():
+        maximum = military
     return Deck(mach, altitude, idle, military, maximum)
 
 

@@ -41,7 +41,7 @@ class Airframe(NamedTuple):
     rate: dict[str, float]  # [1/s], of a command that goes from -1 to 1
 
 
-def measure(aircraft: Aircraft, root: Path) -> Airframe:
+def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...] = MACH) -> Airframe:
     """Lift slope, angular accelerations and surface rates of a woven aircraft.
 
     A surface command is nudged to both sides of its trim; half the difference of the angular
@@ -50,28 +50,29 @@ def measure(aircraft: Aircraft, root: Path) -> Airframe:
     Args:
         aircraft: as loaded.
         root: of the woven aircraft; its inner loop stays disengaged.
+        mach: numbers at which to measure.
 
     Raises:
         AircraftError: nowhere a trim, or a surface that turns nothing.
     """
-    mach: list[float] = []
+    flown: list[float] = []
     slope: list[float] = []
     roll: list[float] = []
     found: dict[str, list[float]] = {name: [] for name in ACCELERATION}
-    for number in MACH:
+    for number in mach:
         initial = Initial(airspeed=number * SOUND_SPEED, altitude=ALTITUDE)
         try:
             values = {name: _worth(aircraft, root, initial, name) for name in ACCELERATION}
         except TrimError:
             continue
-        mach.append(number)
+        flown.append(number)
         slope.append(_lift_slope(aircraft, root, initial))
         roll.append(_roll_rate(aircraft, root, initial))
         for name, value in values.items():
             found[name].append(value)
-    if not mach:
+    if not flown:
         raise AircraftError(
-            f"aircraft {aircraft.name!r}: no trim from Mach {MACH[0]:g} to {MACH[-1]:g} at "
+            f"aircraft {aircraft.name!r}: no trim from Mach {mach[0]:g} to {mach[-1]:g} at "
             f"{ALTITUDE:g} m; the inner loop cannot be designed"
         )
     for name, worth in found.items():
@@ -80,9 +81,9 @@ def measure(aircraft: Aircraft, root: Path) -> Airframe:
                 f"aircraft {aircraft.name!r}: fcs/{name}-cmd-norm turns the aircraft by "
                 f"{worth} rad/s2/psf over Mach; expected one sign"
             )
-    cruise = Initial(airspeed=mach[len(mach) // 2] * SOUND_SPEED, altitude=ALTITUDE)
+    cruise = Initial(airspeed=flown[len(flown) // 2] * SOUND_SPEED, altitude=ALTITUDE)
     return Airframe(
-        tuple(mach),
+        tuple(flown),
         tuple(slope),
         {name: tuple(worth) for name, worth in found.items()},
         tuple(roll),
