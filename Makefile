@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test validate lint format golden clean
+.PHONY: demo test validate inner-loops lint format golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
@@ -14,6 +14,9 @@ test: lint  ## Every check
 
 validate: $(READY)  ## Long flights and many flights; writes docs/validation.md
 	$(BIN)/python -m tests.validation
+
+inner-loops: $(READY)  ## Fly and judge every inner loop's steps: table and figures of docs/aircraft.md
+	$(BIN)/ftc-jsb inner-loop f16 f15 F4N A4 T38 --report --out docs/images/inner-loop --force
 
 lint: $(READY)
 	$(BIN)/ruff check .

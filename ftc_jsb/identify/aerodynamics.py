@@ -12,7 +12,7 @@ from ftc_jsb.units import STANDARD_GRAVITY
 
 MACH_STEP = 0.05
 LIFT_STEP = 0.025
-ALPHA_STEP = np.radians(0.75)
+ALPHA_STEP = np.radians(1.0)
 ELEVATOR_STEP = np.radians(12.5)
 END_SHARE = 0.3  # of a step by which data must go beyond the last regular knot to get one more
 BREAK_WIDTH = 0.002  # [-], half the distance of the knots of a break

@@ -10,7 +10,9 @@ from ftc_jsb.errors import TrimError
 from ftc_jsb.inner_loop.steps import (
     BANK_STEP,
     DT,
+    MOST_STEP,
     SETTLED,
+    SHARE_OF_PULL,
     START,
     TURN_TIME,
     Flown,
@@ -18,7 +20,6 @@ from ftc_jsb.inner_loop.steps import (
     bank_step,
     fly_commands,
     load_factor_step,
-    pull,
     response,
     steep_turn,
 )
@@ -31,6 +32,8 @@ FUEL = 0.43  # of internal fuel
 STEP_TIME = 5.0  # [s]
 BANK_TIME = 6.0  # [s]
 THRUST_TIMES = (3.0, 9.0, 13.0)  # [s]: idle until, full until, idle again until
+RAMP_RATE, RAMP_TIME = 0.8, 4.5  # [1/s], [s]: to a load factor of 4.6
+PULL_TIME = 0.3  # [s] that a load factor must be held to count as pulled
 NEAR = 0.01  # of the span from idle to full: thrust has arrived
 
 
@@ -51,30 +54,28 @@ class Steps(NamedTuple):
     thrust_error: float  # of the span, at the end of each level
 
 
-def fly_steps(aircraft: Aircraft, area: float, stock: bool = False) -> list[Steps]:
+def fly_steps(aircraft: Aircraft, stock: bool = False) -> list[Steps]:
     """Every step at each airspeed that trims.
 
     Args:
         aircraft: as loaded.
-        area: wing area [m^2].
         stock: fly the stock flight control.
     """
     flown = []
     for airspeed in AIRSPEEDS:
         initial = Initial(airspeed=airspeed, altitude=ALTITUDE)
         try:
-            flown.append(_steps(aircraft, initial, area, stock))
+            flown.append(_steps(aircraft, initial, stock))
         except TrimError:
             continue
     return flown
 
 
-def _steps(aircraft: Aircraft, initial: Initial, area: float, stock: bool) -> Steps:
+def _steps(aircraft: Aircraft, initial: Initial, stock: bool) -> Steps:
     def fly(commands: Any, seconds: float) -> Flown:
         return fly_commands(aircraft, initial, FUEL, commands, seconds, stock=stock)
 
-    still = fly(load_factor_step(1.0), 0.02)
-    most = pull(aircraft.flight_test.lift_coefficient_max, area, still.record[0])
+    most = min(MOST_STEP, SHARE_OF_PULL * _pulled(fly(ramp, RAMP_TIME)))
     pulled, rolled = fly(load_factor_step(most), STEP_TIME), fly(bank_step, BANK_TIME)
     turned, pushed = fly(steep_turn, TURN_TIME), fly(thrust_steps, THRUST_TIMES[-1])
     up, down, error = _thrust(pushed)
@@ -92,6 +93,18 @@ def _steps(aircraft: Aircraft, initial: Initial, area: float, stock: bool) -> St
         down,
         error,
     )
+
+
+def ramp(time: float, row: Any) -> tuple[float, float, float]:
+    """Load factor rising until the aircraft cannot follow, or past what the step needs, wings level."""
+    return math.nan, 1.0 + RAMP_RATE * time, 0.0
+
+
+def _pulled(flown: Flown) -> float:
+    """Largest load factor held for PULL_TIME."""
+    window = round(PULL_TIME / DT)
+    means = np.convolve(flown.record["load_factor"], np.full(window, 1.0 / window), mode="valid")
+    return float(means.max())
 
 
 def _judged(

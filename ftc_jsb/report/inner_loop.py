@@ -6,7 +6,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 
-from ftc_jsb.inner_loop.design import design, reference_area, write_design
+from ftc_jsb.inner_loop.design import design, write_design
 from ftc_jsb.inner_loop.judge import COLUMNS, fly_steps, table_row
 from ftc_jsb.report.steps import steps_figure
 from ftc_jsb.six_dof.aircraft import Aircraft, load_aircraft
@@ -39,7 +39,7 @@ def report_steps(aircraft: list[Aircraft], folder: Path) -> str:
     """Fly the steps of each aircraft; write `steps.md` and `steps-NAME.png`. Returns the table."""
     rows = [list(COLUMNS), ["---"] * len(COLUMNS)]
     for one in aircraft:
-        flown = fly_steps(one, reference_area(one))
+        flown = fly_steps(one)
         rows += [table_row(one.name, steps) for steps in flown]
         figure = steps_figure(one.title, flown)
         figure.savefig(folder / f"steps-{one.name}.png", dpi=DPI)

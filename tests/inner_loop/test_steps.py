@@ -7,7 +7,7 @@ import pytest
 
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.inner_loop.airframe import measure
-from ftc_jsb.inner_loop.design import fly_step, reference_area
+from ftc_jsb.inner_loop.design import fly_step
 from ftc_jsb.inner_loop.judge import fly_steps
 from ftc_jsb.inner_loop.steps import START, response
 from ftc_jsb.scenario.schema import Initial
@@ -26,7 +26,7 @@ def test_steps_keep_the_published_criteria(name):
     70 deg turn. Thrust at idle and at full power within 1 % of the span, healthy engine.
     """
     aircraft = load_aircraft(name)
-    flown = fly_steps(aircraft, reference_area(aircraft))
+    flown = fly_steps(aircraft)
     assert [steps.airspeed for steps in flown] == [200.0, 300.0]
     for steps in flown:
         pulled, rolled = steps.load_factor_response, steps.bank_response
@@ -44,7 +44,7 @@ def test_steps_keep_the_published_criteria(name):
 def test_throttle_is_where_it_must_be_at_once(name):
     """Idle to full reheat: every engine's throttle is there two samples later, the rest is the spool's."""
     aircraft = load_aircraft(name)
-    steps = fly_steps(aircraft, reference_area(aircraft))[0]
+    steps = fly_steps(aircraft)[0]
     throttle = steps.thrust_flight.record["throttle"]
     assert throttle[298] == pytest.approx(0.0, abs=0.01)
     assert throttle[302] == pytest.approx(2.0, abs=0.01)

@@ -66,9 +66,9 @@ def test_corrections_are_switchable(corrected, yaw_feedback):
     assert ("-fcs/left-flaperon-norm" in text) != yaw_feedback
 
 
-def test_both_quirks_are_named_and_explained():
+def test_every_quirk_is_named_and_explained():
     names = {correction.name: correction.reason for correction in F16.correction}
-    assert set(names) == {"yaw damper", "flaperon mix"}
+    assert set(names) == {"yaw damper", "flaperon mix", "rudder position"}
     assert all(len(reason) > 100 for reason in names.values())
 
 
@@ -110,7 +110,7 @@ def test_number_that_an_inner_loop_lacks_is_named(tmp_path):
     folder = tmp_path / "mine"
     shutil.copytree(F16.folder, folder)
     path = folder / "inner_loop.xml"
-    path.write_text(path.read_text().replace("ftc/airframe/aileron<", "ftc/airframe/ailron<", 1))
+    path.write_text(path.read_text().replace('"ftc/airframe/aileron"', '"ftc/airframe/ailron"', 1))
     with pytest.raises(AircraftError, match="ftc/airframe/aileron"):
         fly(load_scenario("paper", ["model=jsbsim", f"aircraft.name='{folder}'"]))
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ftc_jsb.inner_loop.design import AIRSPEEDS
 from ftc_jsb.metrics import flight_metrics
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.flight import Flight
@@ -19,8 +20,8 @@ from ftc_jsb.simulation.fly import fly
 SCENARIOS = {"f16": "paper", "f15": "f15", "F4N": "f4n", "A4": "a4", "T38": "t38"}
 LEFT = 0.6  # effectiveness after the fault
 RESERVE = 1.15  # of the thrust needed
-SPEEDS = range(300, 135, -5)  # [m/s]
-SCALES = (1.0, 0.8, 0.6, 0.5, 0.4, 0.3)  # of the manoeuvre's angles
+SPEEDS = range(300, int(AIRSPEEDS[0]) - 1, -5)  # [m/s], not below what inner loops are designed for
+SCALES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3)  # of the manoeuvre's angles
 PATH = ((0, 0), (15, 0), (25, 5), (35, 5), (45, 0))  # (44): time [s], angle [deg]
 HEADING = ((0, 0), (5, 0), (10, 30), (20, 30), (30, -30), (40, -30), (45, 0))
 
@@ -38,12 +39,13 @@ def manoeuvre(name: str, airspeed: float, scale: float) -> list[str]:
     ]
 
 
-def thrust_share(name: str, airspeed: float, scale: float) -> float:
-    """Largest part of the maximum thrust that the fault-free manoeuvre takes on the point mass."""
-    flight = fly(load_scenario("nominal", ["model=identified", *manoeuvre(name, airspeed, scale)]))
+def thrust_share(name: str, airspeed: float, scale: float, model: str) -> float:
+    """Largest part of the maximum thrust that the fault-free manoeuvre takes on `model`."""
+    changes = [f"model={model}", *manoeuvre(name, airspeed, scale)]
+    flight = fly(load_scenario("nominal", changes))
     if flight.outcome.status != "complete":
         return float("inf")
-    row = flight.record[100:]  # after the first second, of which the start is a part
+    row = flight.record[100:-1]  # after the first second, of which the start is a part
     if row["thrust_saturated"].any():
         return float("inf")
     return float(np.max(row["thrust_cmd"] / maximum_thrust(name, row)))
@@ -69,10 +71,14 @@ def highest_speed(name: str) -> tuple[float, float, float]:
 
     The highest speed up to 300 m/s at which what the fault leaves is at least RESERVE times the
     thrust needed, all along the manoeuvre; where no speed does, the angles are scaled down first.
+    What is needed is flown on JSBSim, sideslip in rolls and all; the point mass, which needs less,
+    only rules out what is far off.
     """
     for scale in SCALES:
         for airspeed in SPEEDS:
-            share = thrust_share(name, airspeed, scale)
+            if RESERVE * thrust_share(name, airspeed, scale, "identified") > LEFT:
+                continue
+            share = thrust_share(name, airspeed, scale, "jsbsim")
             if RESERVE * share <= LEFT:
                 return float(airspeed), scale, share
     raise ValueError(f"{name}: no speed and no scale down to {SCALES[-1]}")
