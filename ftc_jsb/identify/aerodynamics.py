@@ -11,6 +11,9 @@ from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 from ftc_jsb.units import STANDARD_GRAVITY
 
 MACH_STEP = 0.05
+ANGLES_MACH_STEP = (
+    0.025  # of the drag from angles: what is left there is the drag rise between knots
+)
 LIFT_STEP = 0.025
 ALPHA_STEP = np.radians(1.0)
 ELEVATOR_STEP = np.radians(12.5)
@@ -66,12 +69,12 @@ def knots_to_the_ends(values: Array, step: float) -> Array:
     return np.concatenate([[low], inner, [high]])
 
 
-def mach_knots(values: Array, breaks: Sequence[float]) -> Array:
+def mach_knots(values: Array, breaks: Sequence[float], step: float = MACH_STEP) -> Array:
     """Mach knots, with a pair of them close to each Mach number at which flaps switch."""
-    regular = knots(values, MACH_STEP)
+    regular = knots(values, step)
     low, high = np.percentile(values, (1.0, 99.0))
-    ends = [low] if regular[0] - low > END_SHARE * MACH_STEP else []
-    ends += [high] if high - regular[-1] > END_SHARE * MACH_STEP else []
+    ends = [low] if regular[0] - low > END_SHARE * step else []
+    ends += [high] if high - regular[-1] > END_SHARE * step else []
     regular = np.sort(np.concatenate([regular, ends]))
     pairs = np.array([m + side * BREAK_WIDTH for m in breaks for side in (-1.0, 1.0)])
     near = [np.min(np.abs(m - pairs), initial=np.inf) for m in regular]
@@ -197,7 +200,8 @@ def _angles_design(data: Sample, mach: Array, alpha: Array, elevator: Array) -> 
 
 def fit_angles_drag(data: Sample, breaks: Sequence[float]) -> AnglesDrag:
     """C_D from Mach, alpha, elevator, pitch rate, flap and sideslip, relative residual."""
-    mach, alpha = mach_knots(data.mach, breaks), knots_to_the_ends(data.alpha, ALPHA_STEP)
+    mach = mach_knots(data.mach, breaks, ANGLES_MACH_STEP)
+    alpha = knots_to_the_ends(data.alpha, ALPHA_STEP)
     data = between(data, mach)
     elevator = knots_to_the_ends(data.elevator, ELEVATOR_STEP)
     m, n, k = len(mach), len(alpha), len(elevator)

@@ -32,7 +32,17 @@ GAINS = Gains(
     load_factor=3.0, load_factor_integral=1.0, bank=4.0, sideslip=2.0, rate=12.0, inversion=36.0
 )
 DAMPING = 0.9
-LOAD_FACTOR_FREQUENCIES = (9.0, 8.0, 7.0, 6.0, 5.0, 4.5, 4.0, 3.5, 3.0)  # [rad/s], from a quarter of
+LOAD_FACTOR_FREQUENCIES = (
+    9.0,
+    8.0,
+    7.0,
+    6.0,
+    5.0,
+    4.5,
+    4.0,
+    3.5,
+    3.0,
+)  # [rad/s], from a quarter of
 # the inversion bandwidth down
 BANK_FREQUENCIES = (8.0, 7.0, 6.0, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0)  # [rad/s]
 

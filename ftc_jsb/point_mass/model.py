@@ -11,7 +11,7 @@ import numpy as np
 from ftc_jsb.compiled import compiled
 from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 
-MACH_KNOTS = 24
+MACH_KNOTS = 40
 ALTITUDE_KNOTS = 12
 LIFT_KNOTS = 80
 ALPHA_KNOTS = 48
