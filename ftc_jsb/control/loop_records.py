@@ -17,6 +17,8 @@ LOOP_SETTINGS = np.dtype(
         ("integral_gains", float, (3,)),  # [1/s^2]
         ("track_path", np.int64),  # 1: y is the position, of index 2
         ("path_gains", float, (2,)),  # of position [1/s^2] and velocity errors [1/s]
+        ("bank_share", float),  # of the way to the load factor for the bank that is there
+        ("drag_correction", np.int64),  # 1: the law pays for drag that is measured beyond the polar
         ("speed_first", np.int64),  # 1: climb and turn are given up before airspeed
         ("trim_filter", float),  # zeta of (10) [1/s]
         ("effectiveness_floor", float),  # sigma: the least effectiveness the law divides by
@@ -46,6 +48,7 @@ LOOP_STATE = np.dtype(
         ("command", float, (2,)),  # load factor and bank sent to the plant, lead included
         ("response", float, (2, 2)),  # of a healthy inner loop to them: value and rate
         ("integral", float, (3,)),  # of the tracking errors
+        ("drag_beyond", float),  # measured drag coefficient less the polar's
         ("given_up", float, (2,)),  # path angle [rad] and part of the turn, for want of thrust
         ("rotor_speed", float),  # of the healthy engine that the loop imagines
         ("thrust", float),  # that engine's thrust [N]

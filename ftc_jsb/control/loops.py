@@ -100,6 +100,8 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["integral_gains"] = loop.integral_gains if kind.integral else 0.0
     s["track_path"] = kind.path
     s["path_gains"] = loop.path_gains
+    s["bank_share"] = loop.bank_share
+    s["drag_correction"] = loop.drag_correction
     s["speed_first"] = loop.priority == "speed"
     s["trim_filter"] = loop.trim_filter
     s["effectiveness_floor"] = loop.effectiveness_floor

@@ -14,9 +14,17 @@ from ftc_jsb.control.loop_records import NO_ESTIMATOR
 from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.control.priority import affordable, give_up
 from ftc_jsb.estimation.process import CHANNELS, OUTPUTS
-from ftc_jsb.point_mass.dynamics import level_trim_thrust, load_factor_limit, velocity
+from ftc_jsb.point_mass.dynamics import (
+    level_trim_thrust,
+    load_factor_limit,
+    polar_drag,
+    velocity,
+)
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.thrust import healthy_thrust, rotor_speed_target
+
+SMALLEST_UPRIGHT = 0.3  # cosine of a bank of 73 deg: beyond, lift hardly holds the aircraft up
+DRAG_LAG = 0.1  # [s]: of the measured drag in the law; vanes are noisy
 
 
 @compiled
@@ -62,6 +70,7 @@ def _start(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
         x.demand[k] = x.trim[k]
         x.integral[k] = 0.0
     x.given_up[0], x.given_up[1] = 0.0, 0.0
+    x.drag_beyond = 0.0
     for axis in range(2):
         x.command[axis] = x.trim[1 + axis]
         x.slow[axis] = x.trim[1 + axis]
@@ -124,6 +133,39 @@ def _path_demand(s: Any, x: Any, row: Any, airspeed: float, path: float) -> Any:
 
 
 @compiled
+def _drag_correction(
+    s: Any, m: Any, x: Any, at: Any, row: Any, airspeed: float, effectiveness: float
+) -> float:
+    """Drag [N] that is measured beyond that of the polar at the measured load factor, with a lag.
+
+    The law takes its drag from the polar, which knows load factor and Mach number; what sideslip,
+    elevator and pitch rate add is measured for the estimator, and the thrust has to pay for it too.
+    """
+    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
+    polar = polar_drag(at, airspeed, effectiveness * x.thrust, row.load_factor_meas)[0]
+    beyond = x.drag_coefficient - polar / pressure_area
+    if math.isfinite(beyond):
+        x.drag_beyond += (1.0 - math.exp(-s.dt / DRAG_LAG)) * (beyond - x.drag_beyond)
+    return float(pressure_area * x.drag_beyond)
+
+
+@compiled
+def _for_the_bank_that_is_there(s: Any, m: Any, x: Any) -> float:
+    """Load factor command while bank is still on its way to its command.
+
+    The law pairs load factor and bank; load factor comes sooner, and until bank is there it lifts
+    where it should turn. n cos(bank demanded) / cos(bank of a healthy inner loop) keeps the lift
+    against gravity as demanded; `bank_share` says how much of the way to go there, since what
+    serves the path is taken from the turn. Nothing where bank follows at once (the paper's aircraft).
+    """
+    demand = float(x.demand[1])
+    upright = math.cos(x.response[1, 0])
+    if m.response_frequency[1] == 0.0 or upright < SMALLEST_UPRIGHT:
+        return demand
+    return float(demand + s.bank_share * (demand * math.cos(x.demand[2]) / upright - demand))
+
+
+@compiled
 def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     """Law (20), limits, response lead, and the trim-input filter (10)."""
     airspeed, path, heading = x.seen[0], x.seen[1], x.seen[2]
@@ -151,7 +193,10 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
             row.heading_ref_rate - s.gains[2] * errors[2] - s.integral_gains[2] * x.integral[2],
         )
     effectiveness = law_effectiveness(s, x, row)
-    path_rate, heading_rate = rates[1], rates[2]
+    airspeed_rate, path_rate, heading_rate = rates
+    unpaid = 0.0  # [m/s^2] of drag that the polar does not know of
+    if s.drag_correction == 1:
+        unpaid = _drag_correction(s, m, x, at, row, airspeed, effectiveness[0]) / at.mass
     if s.speed_first == 1:
         target = affordable(
             at,
@@ -160,8 +205,8 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
             path,
             row.flight_path_angle_ref,
             row.airspeed_ref_rate,
-            rates[0],
-            rates[2],
+            airspeed_rate,
+            heading_rate,
         )
         per_g = at.gravity / airspeed
         lowering = give_up(x.given_up, target, row.flight_path_angle_ref, per_g, s.dt)
@@ -177,7 +222,7 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
         x.trim[1],
         x.trim[2],
         effectiveness,
-        rates[0],
+        airspeed_rate + unpaid,
         path_rate,
         heading_rate,
     )
@@ -200,7 +245,7 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     row.thrust_cmd = x.demand[0]
     load_factor_rate = s.lead_filter * (x.demand[1] - x.slow[0])
     bank_rate = s.lead_filter * (x.demand[2] - x.slow[1])
-    with_lead = x.demand[1] + s.lead[0] * load_factor_rate
+    with_lead = _for_the_bank_that_is_there(s, m, x) + s.lead[0] * load_factor_rate
     row.load_factor_cmd = min(max(with_lead, m.load_factor_min), load_max)
     row.bank_angle_cmd = x.demand[2] + s.lead[1] * bank_rate
     x.command[0], x.command[1] = row.load_factor_cmd, row.bank_angle_cmd
