@@ -13,14 +13,13 @@ from ftc_jsb.errors import AircraftError
 from ftc_jsb.scenario.schema import AircraftChoice, Initial, Wind
 from ftc_jsb.simulation.variables import numbers
 from ftc_jsb.six_dof.air import set_turbulence, start_in_wind
-from ftc_jsb.six_dof.aircraft import load_aircraft
+from ftc_jsb.six_dof.aircraft import Aircraft, load_aircraft
 from ftc_jsb.six_dof.fault_weaving import observed
 from ftc_jsb.six_dof.fault_writers import FaultWriters
 from ftc_jsb.six_dof.observation import (
     JSBSIM_STATE,
     POSITION_NAMES,
     PROPERTIES,
-    THRUST,
     observe,
 )
 from ftc_jsb.six_dof.properties import engine_count, readers, writer
@@ -64,14 +63,30 @@ class JsbsimPlant:
         root = woven_aircraft(aircraft, self._choice.flight_control == "corrected")
         frame = self._sample / self._steps
         fdm = trimmed(aircraft, root, frame, self._initial, self._choice.fuel_fraction)
-        self.fdm = fdm
-        self._record, self._numbers = record, numbers(record)
         self._wind = wind_record(self._air, self._initial.altitude, self._seed, dryden=False)
         self._blow = direct(wind_step, self._wind, record, 0, self._sample)
         set_turbulence(fdm, self._air, self._seed)
         self._windy = self._wind[0]["still"] == 0
         if self._windy:
             start_in_wind(fdm, self._wind[0]["steady"])
+        self.attach(fdm, aircraft, record)
+        self._winds = [writer(fdm, f"atmosphere/wind-{axis}-fps") for axis in WIND_AXES]
+        engines = engine_count(fdm)
+        self._faults = FaultWriters(fdm, engines, record, self._numbers)
+        thrust = sum(fdm[f"propulsion/engine[{k}]/thrust-lbs"] for k in range(engines))
+        level = math.cos(math.radians(self._initial.flight_path_deg))
+        for write, value in zip(self._command, (thrust * POUND_FORCE, level, 0.0), strict=True):
+            write(value)
+        writer(fdm, "ftc/engaged")(1.0)
+
+    def attach(self, fdm: Any, aircraft: Aircraft, record: npt.NDArray[Any]) -> None:
+        """Bind to an instance that flies the woven aircraft, and to the recording to write to.
+
+        Raises:
+            AircraftError: a property is missing.
+        """
+        self.fdm = fdm
+        self._record, self._numbers = record, numbers(record)
         engines = engine_count(fdm)
         names = [*PROPERTIES]
         names += [observed(aircraft, getattr(aircraft.positions, name)) for name in POSITION_NAMES]
@@ -81,15 +96,8 @@ class JsbsimPlant:
         self._command = [writer(fdm, name) for name in COMMANDS]
         columns = list(record.dtype.names or ())
         self._commanded = [columns.index(name) for name in COMMANDED]
-        self._winds = [writer(fdm, f"atmosphere/wind-{axis}-fps") for axis in WIND_AXES]
-        self._faults = FaultWriters(fdm, engines, record, self._numbers)
         self._observe = direct(observe, self._raw, self._state, record, 0)
         self._place_origin(fdm)
-        thrust = sum(fdm[name] for name in names[THRUST:]) * POUND_FORCE
-        level = math.cos(math.radians(self._initial.flight_path_deg))
-        for write, value in zip(self._command, (thrust, level, 0.0), strict=True):
-            write(value)
-        writer(fdm, "ftc/engaged")(1.0)
 
     def _place_origin(self, fdm: Any) -> None:
         state, initial = self._state[0], self._initial
@@ -109,15 +117,19 @@ class JsbsimPlant:
         self._raw[:] = [read() for read in self._readers]
         self._observe(self._raw, self._state, self._record, i)
 
+    def command(self, i: int) -> None:
+        """Give the inner loop the commands of row `i`."""
+        row = self._numbers[i]
+        for write, column in zip(self._command, self._commanded, strict=True):
+            write(float(row[column]))
+
     def step(self, i: int) -> None:
         """Fly the commands of row `i` for one sample.
 
         Raises:
             AircraftError: JSBSim raised, or says that it is over.
         """
-        row = self._numbers[i]
-        for write, column in zip(self._command, self._commanded, strict=True):
-            write(float(row[column]))
+        self.command(i)
         self._faults.write(i)
         if self._windy:
             self._blow(self._wind, self._record, i, self._sample)
