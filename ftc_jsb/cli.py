@@ -200,6 +200,24 @@ def inner_loop(aircraft: tuple[str, ...], judge: bool, out: Path | None, force: 
     click.echo(f"Written: {folder}")
 
 
+@main.command()
+@click.argument("aircraft", metavar="AIRCRAFT")
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.option("--stock", is_flag=True, help="Without the corrections of its flight control.")
+@_force_option
+def export(aircraft: str, folder: Path, stock: bool, force: bool) -> None:
+    """Write AIRCRAFT with its inner loop to DIR, for plain JSBSim, with a script that flies it."""
+    from ftc_jsb.simulation.folder import output_folder
+    from ftc_jsb.six_dof.aircraft import load_aircraft
+    from ftc_jsb.six_dof.export import export as run
+
+    loaded = load_aircraft(aircraft)
+    with output_folder(folder, loaded.name, force, "DIR"):
+        written = run(loaded, not stock, folder)
+    click.echo(f"{len(written)} files in {folder}; to fly it, and under whose licence: ")
+    click.echo(f"{folder / 'README.txt'}, {folder / 'NOTICE'}")
+
+
 # --- what the commands share ------------------------------------------------------------------
 
 

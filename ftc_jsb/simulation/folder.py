@@ -9,20 +9,21 @@ from ftc_jsb.errors import RecordingError
 
 
 @contextmanager
-def output_folder(out: Path | None, name: str, force: bool) -> Iterator[Path]:
+def output_folder(out: Path | None, name: str, force: bool, key: str = "--out") -> Iterator[Path]:
     """A folder that can be written. If the work in it fails and leaves nothing, it is removed.
 
     Args:
         out: as given, or None for ./out/<name>-<date-time>.
         name: of the default folder.
         force: accept a folder that is not empty.
+        key: what the command line calls it.
 
     Raises:
         RecordingError: the folder is not empty, or cannot be made or written.
     """
     folder = out or Path("out") / f"{name}-{datetime.now():%Y%m%d-%H%M%S}"
     made = not folder.exists()
-    _prepare(folder, force)
+    _prepare(folder, force, key)
     try:
         yield folder
     finally:
@@ -32,15 +33,15 @@ def output_folder(out: Path | None, name: str, force: bool) -> Iterator[Path]:
                 folder.parent.rmdir()
 
 
-def _prepare(folder: Path, force: bool) -> None:
+def _prepare(folder: Path, force: bool, key: str) -> None:
     try:
         if folder.exists() and not folder.is_dir():
-            raise RecordingError(f"--out {folder}: is a file; expected a folder")
+            raise RecordingError(f"{key} {folder}: is a file; expected a folder")
         if folder.is_dir() and any(folder.iterdir()) and not force:
-            raise RecordingError(f"--out {folder}: is not empty; give another folder, or --force")
+            raise RecordingError(f"{key} {folder}: is not empty; give another folder, or --force")
         folder.mkdir(parents=True, exist_ok=True)
         probe = folder / ".ftc-jsb-write-test"
         probe.touch()
         probe.unlink()
     except OSError as error:
-        raise RecordingError(f"--out {folder}: cannot be written: {error.strerror}") from None
+        raise RecordingError(f"{key} {folder}: cannot be written: {error.strerror}") from None
