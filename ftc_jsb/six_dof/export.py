@@ -16,8 +16,10 @@ from ftc_jsb.six_dof.notice import notice
 from ftc_jsb.six_dof.properties import engine_count
 from ftc_jsb.six_dof.script import INITIAL, RATE, initial_condition, runscript, steps
 from ftc_jsb.six_dof.trim import trimmed
-from ftc_jsb.six_dof.weaving import DECK_SYSTEM, INNER_LOOP_SYSTEM, woven_aircraft
+from ftc_jsb.six_dof.weaving import woven_aircraft
 from ftc_jsb.units import POUND_FORCE
+
+OWN = "ftc_"  # names of files that are not JSBSim's begin so
 
 README = """\
 {title}, with the inner loop of ftc-jsb, for plain JSBSim. Read NOTICE before you pass it on.
@@ -114,12 +116,11 @@ def _write(element: ET.Element, path: Path) -> None:
 
 
 def _notice(folder: Path, model: str, installed: Path) -> str:
-    own = {f"{DECK_SYSTEM}.xml", f"{INNER_LOOP_SYSTEM}.xml", f"{INITIAL}.xml"}
     changed: list[tuple[str, Path]] = []
     copied: list[tuple[str, Path]] = []
     for part in ("aircraft", "engine", "systems"):
         for path in sorted((folder / part).rglob("*.xml")):
-            if path.name in own:
+            if path.name.startswith(OWN):
                 continue
             name = path.relative_to(folder)
             source = _source(installed, model, name)

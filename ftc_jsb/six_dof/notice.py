@@ -52,13 +52,12 @@ def notice(
             "Whoever passes this folder on does so under these terms, with this notice."
         ),
         _filled(
-            "ftc-jsb's own: systems/ftc_inner_loop.xml, systems/ftc_engine_deck.xml (its tables are the "
-            "engine's), scripts/, the initial condition ftc_level.xml: BSD 3-Clause, which may be combined "
-            "with the GPL."
+            "ftc-jsb's own: scripts/ and all files whose names begin with ftc_ (the tables in "
+            "systems/ftc_engine_deck.xml are the engine's): BSD 3-Clause, which may be combined with the GPL."
         ),
         f"CHANGED on {date} by ftc-jsb",
         _filled(
-            "Aircraft: two systems added before <flight_control>; the corrections of aircraft.toml. "
+            "Aircraft: systems added before <flight_control>; the corrections of aircraft.toml. "
             "Engines: an effectiveness factor in each thrust function. Comments were dropped."
         ),
         *_quoted(changed),
