@@ -3,7 +3,8 @@
 import json
 import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -57,6 +58,9 @@ def main() -> None:
     "--model", type=click.Choice(["paper", "identified", "jsbsim"]), help="What is flown."
 )
 @click.option("--loop", metavar="NAME", help="Outer loop: a name, or package.module:Class.")
+@click.option(
+    "--flightgear", metavar="HOST:PORT", help="Show the flight in FlightGear, in real time."
+)
 @_set_option
 @_out_option
 @_force_option
@@ -65,6 +69,7 @@ def fly(
     scenario: str,
     model: str | None,
     loop: str | None,
+    flightgear: str | None,
     overrides: tuple[str, ...],
     out: Path | None,
     force: bool,
@@ -75,9 +80,17 @@ def fly(
     from ftc_jsb.simulation.session import fly_and_save
 
     flown = _load(scenario, _with(overrides, model, loop))
+    watch = _progress_for(flown, as_json)
+    shown: AbstractContextManager[Path | None] = nullcontext()
+    if flightgear is not None:
+        from ftc_jsb.six_dof.flightgear import output_directive, viewer
+
+        shown = output_directive(viewer(flightgear, flown))
+        watch = _paced(watch, flown.loop.rate)
     with output_folder(out, flown.name, force) as folder:
         _announce(flown)
-        result = fly_and_save(flown, folder, _progress_for(flown, as_json))
+        with shown as output:
+            result = fly_and_save(flown, folder, watch, output)
     if as_json:
         click.echo(json.dumps(result.document, indent=2))
     else:
@@ -252,6 +265,18 @@ def _progress_for(scenario: "Scenario", quiet: bool) -> Any:
     from ftc_jsb.report.progress import Progress
 
     return Progress(scenario, enabled=sys.stderr.isatty() and not quiet)
+
+
+def _paced(watch: Any, rate: float) -> Any:
+    """The same observers, and one that holds the flight back to real time."""
+    from ftc_jsb.simulation.pacing import Pacer
+
+    @contextmanager
+    def paced(label: str) -> Iterator[list[Any]]:
+        with watch(label) as observers:
+            yield [*observers, Pacer(rate, 1.0)]
+
+    return paced
 
 
 def _write_report(flights: dict[str, Any], folder: Path, as_json: bool) -> None:

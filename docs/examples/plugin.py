@@ -7,8 +7,7 @@ import jsbsim
 from ftc_jsb.six_dof.plugin import OuterLoop, load_woven
 
 fdm = jsbsim.FGFDMExec(None)  # yours, and so is all that follows but three lines
-load_woven(fdm, "f16")  # the aircraft with its inner loop
-fdm.set_dt(1.0 / 200.0)  # [s]
+load_woven(fdm, "f16", 1.0 / 200.0)  # the aircraft with its inner loop; time step [s]
 fdm["ic/h-sl-ft"], fdm["ic/vt-fps"], fdm["ic/gamma-deg"] = 10000.0, 984.0, 0.0
 fdm.run_ic()
 fdm["propulsion/set-running"] = -1

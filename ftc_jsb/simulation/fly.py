@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -33,7 +34,10 @@ SLOWEST_JSBSIM = 80.0  # [Hz]: the inner loop's bandwidth of 36 1/s with a margi
 
 
 def fly(
-    scenario: Scenario, observers: Sequence[Observer] = (), plant: Plant | None = None
+    scenario: Scenario,
+    observers: Sequence[Observer] = (),
+    plant: Plant | None = None,
+    output: Path | None = None,
 ) -> Flight:
     """Fly `scenario` with its model and loop.
 
@@ -42,6 +46,7 @@ def fly(
         observers: called after every sample with the recording and the row; they watch only. One with
             an attribute `coarse` that is true may be called every STRETCH samples instead.
         plant: in place of the model's own (a user's aircraft, an independent integration).
+        output: JSBSim's output directive (`six_dof.flightgear`), by its absolute path.
 
     Returns:
         The flight, complete or up to where it departed or was interrupted.
@@ -58,7 +63,7 @@ def fly(
     faults = fault_records(scenario.fault)
     record = blank_recording(scenario, aircraft.thrust.engines)
     if plant is None:
-        plant = build_plant(scenario, model, dt)
+        plant = build_plant(scenario, model, dt, output)
     setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
     first = [record[0][f"{name}_cmd_raw"] for name in ("airspeed", "flight_path_angle", "heading")]
     reference = scenario.reference
@@ -160,16 +165,16 @@ def point_mass_of(scenario: Scenario) -> PointMass:
     return load_point_mass(aircraft_folder(name))
 
 
-def build_plant(scenario: Scenario, model: npt.NDArray[Any], dt: float) -> Plant:
-    """The plant of `scenario.model`."""
+def build_plant(
+    scenario: Scenario, model: npt.NDArray[Any], dt: float, output: Path | None = None
+) -> Plant:
+    """The plant of `scenario.model`; an output directive is for JSBSim."""
     simulation = scenario.simulation
     if scenario.model == "jsbsim":
         from ftc_jsb.six_dof.plant import JsbsimPlant
 
-        steps = simulation.jsbsim_steps
-        return JsbsimPlant(
-            scenario.aircraft, scenario.initial, dt, steps, scenario.wind, scenario.seed
-        )
+        steps, air, seed = simulation.jsbsim_steps, scenario.wind, scenario.seed
+        return JsbsimPlant(scenario.aircraft, scenario.initial, dt, steps, air, seed, output)
     from ftc_jsb.point_mass.plant import PointMassPlant
 
     wind = wind_record(scenario.wind, scenario.initial.altitude, scenario.seed, dryden=True)

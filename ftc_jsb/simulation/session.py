@@ -28,10 +28,19 @@ class Result(NamedTuple):
     document: dict[str, Any]
 
 
-def fly_and_save(scenario: Scenario, folder: Path, watch: Watch) -> Result:
-    """Fly once; write `flight.nc` and `metrics.json`, also of a flight that did not end well."""
+def fly_and_save(
+    scenario: Scenario, folder: Path, watch: Watch, output: Path | None = None
+) -> Result:
+    """Fly once; write `flight.nc` and `metrics.json`, also of a flight that did not end well.
+
+    Args:
+        scenario: as loaded.
+        folder: exists.
+        watch: gives the observers.
+        output: JSBSim's output directive.
+    """
     with watch(scenario.model) as observers:
-        flight = fly(scenario, observers)
+        flight = fly(scenario, observers, output=output)
     save(flight, folder / "flight.nc")
     metrics = flight_metrics(flight)
     contents = document({flight.label: metrics})

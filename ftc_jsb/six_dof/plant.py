@@ -1,6 +1,7 @@
 """The JSBSim aircraft as a plant: commands into the woven inner loop, the true state out."""
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -43,14 +44,18 @@ class JsbsimPlant:
         steps: int,
         wind: Wind | None = None,
         seed: int = 0,
+        output: Path | None = None,
     ) -> None:
-        """Args: [aircraft], [initial]; sample time [s]; JSBSim steps a sample; [wind] and its seed."""
+        """Args: [aircraft], [initial]; sample time [s]; JSBSim steps a sample; [wind] and its seed; an
+        output directive for JSBSim.
+        """
         self._choice = choice
         self._initial = initial
         self._steps = steps
         self._sample = dt
         self._air = wind or Wind()
         self._seed = seed
+        self._output = output
         self._state = np.zeros(1, JSBSIM_STATE)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
@@ -62,7 +67,8 @@ class JsbsimPlant:
         aircraft = load_aircraft(self._choice.name)
         root = woven_aircraft(aircraft, self._choice.flight_control == "corrected")
         frame = self._sample / self._steps
-        fdm = trimmed(aircraft, root, frame, self._initial, self._choice.fuel_fraction)
+        fuel = self._choice.fuel_fraction
+        fdm = trimmed(aircraft, root, frame, self._initial, fuel, self._output)
         self._wind = wind_record(self._air, self._initial.altitude, self._seed, dryden=False)
         self._blow = direct(wind_step, self._wind, record, 0, self._sample)
         set_turbulence(fdm, self._air, self._seed)

@@ -42,16 +42,26 @@ def woven_root(aircraft: str, flight_control: FlightControl = "corrected") -> Pa
     return woven_aircraft(load_aircraft(aircraft), flight_control == "corrected")
 
 
-def load_woven(fdm: Any, aircraft: str, flight_control: FlightControl = "corrected") -> None:
+def load_woven(
+    fdm: Any, aircraft: str, dt: float, flight_control: FlightControl = "corrected"
+) -> None:
     """Load the woven aircraft into the user's `FGFDMExec` and set it up (gear, switches).
 
-    To be called before `run_ic`. Time step, initial condition, fuel and trim are the user's.
+    To be called before `run_ic`. Initial condition, fuel and trim are the user's. The time step is
+    set before loading: JSBSim's actuators and filters take it when they are read.
+
+    Args:
+        fdm: the user's instance.
+        aircraft: name of a shipped aircraft, or the path of a folder.
+        dt: JSBSim's time step [s].
+        flight_control: corrected or stock.
 
     Raises:
         AircraftError: JSBSim does not take it.
     """
     root = woven_root(aircraft, flight_control)
     loaded = load_aircraft(aircraft)
+    fdm.set_dt(dt)
     folders = (str(root / part) for part in ("aircraft", "engine", "systems"))
     if not fdm.load_model_with_paths(loaded.jsbsim_model, *folders, True):
         raise AircraftError(f"aircraft {loaded.name!r}: JSBSim cannot load it from {root}")
@@ -225,7 +235,9 @@ class OuterLoop:
 def _check(fdm: Any, aircraft: Aircraft) -> None:
     model = fdm.get_model_name()
     if not model:
-        raise AircraftError("the FGFDMExec has no aircraft; load one with load_woven(fdm, name)")
+        raise AircraftError(
+            "the FGFDMExec has no aircraft; load one with load_woven(fdm, name, dt)"
+        )
     if model != aircraft.jsbsim_model:
         raise AircraftError(
             f"the FGFDMExec flies {model!r}; aircraft {aircraft.name!r} is {aircraft.jsbsim_model!r}"
@@ -235,7 +247,7 @@ def _check(fdm: Any, aircraft: Aircraft) -> None:
     except KeyError:
         raise AircraftError(
             f"{model!r} in the FGFDMExec has no inner loop (no property 'ftc/command/thrust-n'): load "
-            f"the woven aircraft with load_woven(fdm, {aircraft.name!r}), or from woven_root()"
+            f"the woven aircraft with load_woven(fdm, {aircraft.name!r}, dt), or from woven_root()"
         ) from None
     for name, value in aircraft.setup.items():
         if abs(fdm[name] - value) > 1e-6:

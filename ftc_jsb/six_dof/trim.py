@@ -74,16 +74,27 @@ def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
 
 
 def trimmed(
-    aircraft: Aircraft, root: Path, dt: float, initial: Initial, fuel_fraction: float
+    aircraft: Aircraft,
+    root: Path,
+    dt: float,
+    initial: Initial,
+    fuel_fraction: float,
+    output: Path | None = None,
 ) -> Any:
     """A fresh `jsbsim.FGFDMExec`, trimmed, engines running; inner loop not engaged.
+
+    Args:
+        aircraft, root, dt: as for `load`.
+        initial: condition to trim at.
+        fuel_fraction: of internal fuel.
+        output: a JSBSim output directive, by its absolute path.
 
     Raises:
         TrimError: no trim, or one that hands-off flight leaves; with the residuals.
         AircraftError: the aircraft cannot be loaded or set up.
     """
     _check_hold(aircraft, _trim(aircraft, root, dt, initial, fuel_fraction), initial)
-    return _trim(aircraft, root, dt, initial, fuel_fraction)  # the same, at time zero
+    return _trim(aircraft, root, dt, initial, fuel_fraction, output)  # the same, at time zero
 
 
 def set_condition(aircraft: Aircraft, fdm: Any, initial: Initial, fuel_fraction: float) -> None:
@@ -108,8 +119,17 @@ def set_condition(aircraft: Aircraft, fdm: Any, initial: Initial, fuel_fraction:
     _fuel(aircraft, fdm, fuel_fraction)
 
 
-def _trim(aircraft: Aircraft, root: Path, dt: float, initial: Initial, fuel_fraction: float) -> Any:
+def _trim(
+    aircraft: Aircraft,
+    root: Path,
+    dt: float,
+    initial: Initial,
+    fuel_fraction: float,
+    output: Path | None = None,
+) -> Any:
     fdm = load(aircraft, root, dt)
+    if output is not None and not fdm.set_output_directive(str(output)):
+        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim refuses the output {output}")
     set_condition(aircraft, fdm, initial, fuel_fraction)
     try:
         accepted = fdm.run_ic()

@@ -26,10 +26,10 @@ def own_fdm(dt: float = 0.005, woven: bool = True) -> jsbsim.FGFDMExec:
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
     if woven:
-        load_woven(fdm, "f16")
+        load_woven(fdm, "f16", dt)
     else:
+        fdm.set_dt(dt)
         fdm.load_model("f16")
-    fdm.set_dt(dt)
     fdm["ic/h-sl-ft"], fdm["ic/vt-fps"], fdm["ic/psi-true-deg"] = 9842.5, 820.2, 350.0
     fdm.run_ic()
     fdm["propulsion/set-running"] = -1
@@ -117,7 +117,7 @@ def test_any_rate_that_the_time_step_divides():
 
 
 def test_stock_aircraft_without_inner_loop_is_refused():
-    with pytest.raises(AircraftError, match=r"has no inner loop.*load_woven\(fdm, 'f16'\)"):
+    with pytest.raises(AircraftError, match=r"has no inner loop.*load_woven\(fdm, 'f16', dt\)"):
         OuterLoop(own_fdm(woven=False), "f16")
     with pytest.raises(AircraftError, match="has no aircraft"):
         OuterLoop(jsbsim.FGFDMExec(None), "f16")
