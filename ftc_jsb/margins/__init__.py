@@ -1,0 +1,1 @@
+"""Gain, phase and delay margins of the outer loop at its three inputs, measured in flight."""
