@@ -34,9 +34,16 @@ def classical_margins(response: Response) -> ClassicalMargins:
     frequency = np.log(response.frequency)
     size = np.log(np.abs(response.loop))
     phase = np.unwrap(np.angle(response.loop))
-    phase += 2.0 * np.pi * (np.ceil((phase[0] - 0.5 * np.pi) / (-2.0 * np.pi)) if phase[0] > 0.5 * np.pi else 0)
+    phase += (
+        2.0
+        * np.pi
+        * (np.ceil((phase[0] - 0.5 * np.pi) / (-2.0 * np.pi)) if phase[0] > 0.5 * np.pi else 0)
+    )
     gain, at_phase, down, coherent = np.inf, np.nan, 0.0, 1.0
-    turns = np.arange(np.floor((phase.min() + np.pi) / (2 * np.pi)), np.ceil((phase.max() + np.pi) / (2 * np.pi)) + 1)
+    turns = np.arange(
+        np.floor((phase.min() + np.pi) / (2 * np.pi)),
+        np.ceil((phase.max() + np.pi) / (2 * np.pi)) + 1,
+    )
     for turn in turns:
         for k, part in _crossings(phase + np.pi - 2.0 * np.pi * turn):
             level = float(np.exp(-_between(size, k, part)))

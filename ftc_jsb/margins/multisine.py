@@ -42,7 +42,8 @@ def multisine(samples: int, lines: npt.NDArray[np.int64], rms: float, seed: int)
     spectrum = np.zeros(samples // 2 + 1, dtype=complex)
     spectrum[lines] = np.exp(1j * phase)
     signal: Array = np.fft.irfft(spectrum, samples)
-    return signal * (rms / np.sqrt(np.mean(signal**2)))
+    signal *= rms / np.sqrt(np.mean(signal**2))
+    return signal
 
 
 def loop_response(before: Array, after: Array, lines: npt.NDArray[np.int64], dt: float) -> Response:
@@ -69,4 +70,5 @@ def _without_drift(signals: Array) -> Array:
     """Less mean and linear trend."""
     ramp = np.linspace(-1.0, 1.0, signals.shape[1])
     slope = signals @ ramp / (ramp @ ramp)
-    return signals - signals.mean(axis=1, keepdims=True) - np.outer(slope, ramp)
+    still: Array = signals - signals.mean(axis=1, keepdims=True) - np.outer(slope, ramp)
+    return still

@@ -5,19 +5,22 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from ftc_jsb.compiled import direct
 from ftc_jsb.control.command_filter import command_filter, reference_step
 from ftc_jsb.control.loops import build_loop
 from ftc_jsb.control.protocol import LoopSetup
+from ftc_jsb.disturbance.faults import fault_records, schedule
+from ftc_jsb.disturbance.sensors import Senses, measure, sensor_record
 from ftc_jsb.errors import AircraftError, LoopError
 from ftc_jsb.point_mass.parameters import load_point_mass
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.scenario.reference import raw_commands
-from ftc_jsb.scenario.schema import AircraftChoice, Initial, Loop, Reference
+from ftc_jsb.scenario.schema import AircraftChoice, Initial, Loop, Reference, Scenario
 from ftc_jsb.simulation.fly import SLOWEST_JSBSIM
 from ftc_jsb.simulation.monitor import FLYING, REASONS, departed
-from ftc_jsb.simulation.variables import ROW
+from ftc_jsb.simulation.variables import ROW, numbers
 from ftc_jsb.six_dof.aircraft import Aircraft, load_aircraft
 from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
 from ftc_jsb.six_dof.plant import JsbsimPlant
@@ -111,12 +114,14 @@ class OuterLoop:
         self._samples = 0
         self._reference = reference
         self._record = np.full(3, math.nan).astype(ROW)  # the first sample, another, the one after
-        self._record[["effectiveness_load_factor", "effectiveness_bank_angle"]] = (1.0, 1.0)
+        schedule(fault_records(()), engine_count(fdm), self._record)
         self._plant = JsbsimPlant(AircraftChoice(), _here(fdm), 1.0 / settings.rate, self._steps)
         self._plant.attach(fdm, loaded, self._record)
         engines = [f"{EFFECTIVENESS}[{number}]" for number in range(engine_count(fdm))]
         self._effectiveness = readers(fdm, engines)
         self._departed = direct(departed, self._record, 0)
+        self._senses = _perfect_senses(self._record)
+        self._measure = direct(measure, *self._senses, 0)
         self._observe(0)
         point_mass = load_point_mass(aircraft_folder(aircraft))
         model = point_mass.record(0.0)
@@ -188,6 +193,7 @@ class OuterLoop:
             for name, value in zip(_STATES, self._raw(self._samples + k), strict=True):
                 row[f"{name}_cmd_raw"] = value
         self._observe(i)
+        self._measure(*self._senses, i)
         self._refer(self._filters, self._record, i)
         self._loop.step(i)
         self._plant.command(i)
@@ -274,6 +280,14 @@ def _steps(dt: float, rate: float) -> int:
             f"time step {dt:g} s: {1.0 / dt:g} Hz; the inner loop needs at least {SLOWEST_JSBSIM:g} Hz"
         )
     return steps
+
+
+def _perfect_senses(record: npt.NDArray[Any]) -> Senses:
+    still = Reference(
+        airspeed=((0.0, 300.0),), flight_path_deg=((0.0, 0.0),), heading_deg=((0.0, 0.0),)
+    )
+    perfect = sensor_record(Scenario(name="plug-in", reference=still), record)
+    return Senses(perfect, fault_records(()), record, numbers(record))
 
 
 def _here(fdm: Any) -> Initial:
