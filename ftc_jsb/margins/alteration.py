@@ -86,9 +86,9 @@ class AlteredPlant:
         self._plant.reset(record)
         fdm = getattr(self._plant, "fdm", None)
         if fdm is not None:
-            from ftc_jsb.six_dof.properties import write_checked
+            from ftc_jsb.six_dof.properties import writer
 
-            write_checked(fdm, "propulsion/fuel_freeze", 1.0)
+            writer(fdm, "propulsion/fuel_freeze")(1.0)  # reads back as 0 whatever it is
         self._record = record
         self._commands = record[self._column]
         self.given = np.full(record.size, np.nan)

@@ -18,15 +18,14 @@ class Response(NamedTuple):
 
 
 def harmonics(samples: int, first: int, lines: int) -> npt.NDArray[np.int64]:
-    """Harmonics of a period, evenly spaced on a log scale up to the highest below Nyquist.
+    """Harmonics of a period, evenly spaced on a log scale, up to Nyquist's, where L is real.
 
     Args:
-        samples: of the period.
+        samples: of the period, even.
         first: lowest harmonic.
         lines: how many to aim at; where they would fall together there are fewer.
     """
-    highest = (samples - 1) // 2
-    return np.unique(np.round(np.geomspace(first, highest, lines)).astype(np.int64))
+    return np.unique(np.round(np.geomspace(first, samples // 2, lines)).astype(np.int64))
 
 
 def multisine(samples: int, lines: npt.NDArray[np.int64], rms: float, seed: int) -> Array:
@@ -41,6 +40,7 @@ def multisine(samples: int, lines: npt.NDArray[np.int64], rms: float, seed: int)
     phase = np.random.default_rng(seed).uniform(0.0, 2.0 * np.pi, lines.size)
     spectrum = np.zeros(samples // 2 + 1, dtype=complex)
     spectrum[lines] = np.exp(1j * phase)
+    spectrum[-1] = np.sign(spectrum[-1].real)  # Nyquist's has no phase
     signal: Array = np.fft.irfft(spectrum, samples)
     signal *= rms / np.sqrt(np.mean(signal**2))
     return signal
@@ -53,12 +53,12 @@ def loop_response(before: Array, after: Array, lines: npt.NDArray[np.int64], dt:
     flight make what is not linear incoherent, which averaging over periods of one flight would not.
 
     Args:
-        before: (flights, samples), what the loop commanded over one period.
-        after: (flights, samples), what the plant was given.
+        before: (flights, 2 periods), what the loop commanded, once settled.
+        after: (flights, 2 periods), what the plant was given.
         lines: harmonics that were injected.
         dt: sample time [s].
     """
-    samples = before.shape[1]
+    samples = before.shape[1] // 2
     v, w = (np.fft.rfft(_without_drift(signal), axis=1)[:, lines] for signal in (before, after))
     cross = np.sum(v * np.conj(w), axis=0)
     power_v, power_w = np.sum(np.abs(v) ** 2, axis=0), np.sum(np.abs(w) ** 2, axis=0)
@@ -67,8 +67,9 @@ def loop_response(before: Array, after: Array, lines: npt.NDArray[np.int64], dt:
 
 
 def _without_drift(signals: Array) -> Array:
-    """Less mean and linear trend."""
-    ramp = np.linspace(-1.0, 1.0, signals.shape[1])
-    slope = signals @ ramp / (ramp @ ramp)
-    still: Array = signals - signals.mean(axis=1, keepdims=True) - np.outer(slope, ramp)
-    return still
+    """The second period, less its mean and the drift that the first tells it from."""
+    samples = signals.shape[1] // 2
+    first, second = signals[:, :samples], signals[:, samples:]
+    drift = np.mean(second - first, axis=1, keepdims=True)  # a period
+    still: Array = second - drift * np.arange(samples) / samples
+    return still - still.mean(axis=1, keepdims=True)

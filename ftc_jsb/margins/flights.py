@@ -1,0 +1,39 @@
+"""The flights of a margin measurement: one alteration each, on a fresh plant."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.margins.alteration import Alteration, AlteredPlant
+from ftc_jsb.scenario.schema import Channel, Scenario
+from ftc_jsb.simulation.fly import build_plant, fly, point_mass_of
+
+Array = npt.NDArray[np.float64]
+
+
+class Altered(NamedTuple):
+    """What one channel was commanded and given, and whether the flight came to its end."""
+
+    commanded: Array
+    given: Array
+    complete: bool
+    reason: str
+
+
+def altered_flight(
+    scenario: Scenario, channel: Channel, alter: Alteration, seconds: float
+) -> Altered:
+    """Fly with one command altered.
+
+    Raises:
+        UserError: the aircraft cannot be had or trimmed.
+    """
+    flown = scenario.model_copy(update={"duration": seconds})
+    model = point_mass_of(flown).record(flown.aircraft.fuel_fraction)
+    plant = AlteredPlant(build_plant(flown, model, 1.0 / flown.loop.rate), channel, alter)
+    flight = fly(flown, plant=plant)
+    rows: Any = flight.record[f"{channel}_cmd"]
+    given = plant.given[: rows.size]
+    outcome = flight.outcome
+    return Altered(np.array(rows), given, outcome.status == "complete", outcome.reason)
