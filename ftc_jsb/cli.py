@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn, cast
 
 import click
 
@@ -14,7 +14,7 @@ import ftc_jsb
 from ftc_jsb.errors import UserError
 
 if TYPE_CHECKING:
-    from ftc_jsb.scenario.schema import Scenario
+    from ftc_jsb.scenario.schema import Model, Scenario
 
 DONE, LIMIT_BROKEN, BAD_USAGE, INTERRUPTED = 0, 1, 2, 130
 
@@ -229,6 +229,58 @@ def export(aircraft: str, folder: Path, stock: bool, force: bool) -> None:
         written = run(loaded, not stock, folder)
     click.echo(f"{len(written)} files in {folder}; to fly it, and under whose licence: ")
     click.echo(f"{folder / 'README.txt'}, {folder / 'NOTICE'}")
+
+
+@main.command()
+@click.argument("name", metavar="SCENARIO|AIRCRAFT")
+@click.option(
+    "--model",
+    type=click.Choice(["paper", "identified", "jsbsim"]),
+    default="jsbsim",
+    show_default=True,
+    help="What is flown.",
+)
+@click.option("--airspeed", metavar="M/S", type=float, help="In place of the scenario's.")
+@click.option("--altitude", metavar="M", type=float, help="In place of the scenario's.")
+@_out_option
+@_force_option
+@_json_option
+def margins(
+    name: str,
+    model: str,
+    airspeed: float | None,
+    altitude: float | None,
+    out: Path | None,
+    force: bool,
+    as_json: bool,
+) -> None:
+    """Measure gain, phase and delay margins in level flight; write margins.json and bode.png."""
+    from ftc_jsb.margins.condition import level_scenario
+    from ftc_jsb.margins.document import document
+    from ftc_jsb.margins.measure import CHANNELS, channel_margins
+    from ftc_jsb.simulation.folder import output_folder
+    from ftc_jsb.simulation.session import write_metrics
+
+    flown = level_scenario(name, cast("Model", model), airspeed, altitude)
+    with output_folder(out, f"margins-{Path(name).stem}", force) as folder:
+        _announce(flown)
+        found = []
+        for channel in CHANNELS:  # written as it goes: an interruption loses nothing finished
+            found.append(
+                channel_margins(flown, channel, lambda line: click.echo(f"{line} ...", err=True))
+            )
+            write_metrics(folder / "margins.json", document(flown, found))
+        from ftc_jsb.report.margins import bode_figure, print_margins
+
+        what = flown.aircraft.name if model != "paper" else "paper"
+        at = f"{flown.initial.airspeed:g} m/s, {flown.initial.altitude:g} m"
+        title = f"{what} ({model}), loop {flown.loop.name}, {at}"
+        bode_figure(title, found).savefig(folder / "bode.png", dpi=150)
+    if as_json:
+        click.echo(json.dumps(document(flown, found), indent=2))
+    else:
+        print_margins(title, found)
+        click.echo(f"Written: {folder / 'margins.json'}, {folder / 'bode.png'}")
 
 
 # --- what the commands share ------------------------------------------------------------------

@@ -8,7 +8,8 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 
 QUIET = 0.01  # of the step: what moves less at the end has settled
-SCAN = 1.25  # factor from one trial to the next, until the first one breaks
+GROWN = 10.0  # steps: beyond, limits may have stopped the growth
+SCAN = 1.4  # factor from one trial to the next, until the first one breaks
 RESOLUTION = 0.005  # of the brink, where the bisection ends
 
 
@@ -17,8 +18,8 @@ def breaks(given: Array, step: float, complete: bool) -> bool:
 
     The time after the step is cut in three. The loop breaks if the flight did not come to its end,
     or if the last third moves about its own line (mean and trend) more than the middle third does
-    about its, and by more than 1 % of the step; or if it moves by more than ten steps, which is a
-    limit cycle.
+    about its, and by more than 1 % of the step; or if either moves by more than ten steps: it has
+    grown into what limits it.
 
     Args:
         given: to the plant, from the step on.
@@ -29,7 +30,8 @@ def breaks(given: Array, step: float, complete: bool) -> bool:
         return True
     third = given.size // 3
     middle, last = (_movement(given[k * third : (k + 1) * third]) for k in (1, 2))
-    return last > 10.0 * abs(step) or (last > middle and last > QUIET * abs(step))
+    grown = max(middle, last) > GROWN * abs(step)
+    return grown or (last > middle and last > QUIET * abs(step))
 
 
 def _movement(signal: Array) -> float:

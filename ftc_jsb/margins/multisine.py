@@ -72,4 +72,5 @@ def _without_drift(signals: Array) -> Array:
     first, second = signals[:, :samples], signals[:, samples:]
     drift = np.mean(second - first, axis=1, keepdims=True)  # a period
     still: Array = second - drift * np.arange(samples) / samples
-    return still - still.mean(axis=1, keepdims=True)
+    still -= still.mean(axis=1, keepdims=True)
+    return still
