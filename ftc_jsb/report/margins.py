@@ -49,7 +49,11 @@ def print_margins(title: str, found: Sequence[ChannelMargins]) -> None:
         padding=(0, 1, 0, 0),
     )
     for name in heading:
-        table.add_column(Text(name), justify="left" if name == "input" else "right", no_wrap=True)
+        table.add_column(
+            Text(name.replace(" ", "\n")),
+            justify="left" if name == "input" else "right",
+            no_wrap=True,
+        )
     for row in rows:
         table.add_row(*row)
     Console().print(table)
