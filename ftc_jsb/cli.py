@@ -5,6 +5,7 @@ import shlex
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, cast
 
@@ -242,6 +243,14 @@ def export(aircraft: str, folder: Path, stock: bool, force: bool) -> None:
 )
 @click.option("--airspeed", metavar="M/S", type=float, help="In place of the scenario's.")
 @click.option("--altitude", metavar="M", type=float, help="In place of the scenario's.")
+@click.option(
+    "--amplitude",
+    metavar="FACTOR",
+    type=click.FloatRange(1e-3, 1e3),
+    default=1.0,
+    show_default=True,
+    help="Of the signals that are injected: 20 N, 0.02 g, 0.02 rad times this.",
+)
 @_out_option
 @_force_option
 @_json_option
@@ -250,6 +259,7 @@ def margins(
     model: str,
     airspeed: float | None,
     altitude: float | None,
+    amplitude: float,
     out: Path | None,
     force: bool,
     as_json: bool,
@@ -264,11 +274,9 @@ def margins(
     flown = level_scenario(name, cast("Model", model), airspeed, altitude)
     with output_folder(out, f"margins-{Path(name).stem}", force) as folder:
         _announce(flown)
-        found = []
+        tell, found = partial(click.echo, err=True), []
         for channel in CHANNELS:  # written as it goes: an interruption loses nothing finished
-            found.append(
-                channel_margins(flown, channel, lambda line: click.echo(f"{line} ...", err=True))
-            )
+            found.append(channel_margins(flown, channel, tell, amplitude))
             write_metrics(folder / "margins.json", document(flown, found))
         from ftc_jsb.report.margins import bode_figure, print_margins
 

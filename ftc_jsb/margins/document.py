@@ -9,7 +9,6 @@ import numpy as np
 from ftc_jsb.margins.brink import QUIET, RESOLUTION
 from ftc_jsb.margins.measure import (
     AFTER,
-    AMPLITUDE,
     DELAY_AGREES,
     GAIN_AGREES,
     PERIOD,
@@ -51,7 +50,7 @@ def document(scenario: Scenario, found: Sequence[ChannelMargins]) -> dict[str, A
 def _channel(found: ChannelMargins) -> dict[str, Any]:
     c, response = found.classical, found.response
     return {
-        f"amplitude_{UNITS[found.channel]}": AMPLITUDE[found.channel],
+        f"amplitude_{UNITS[found.channel]}": found.amplitude,
         "gain_margin_inserted_db": _number(decibel(found.gain)),
         "gain_margin_response_db": _number(decibel(c.gain)),
         "gain_reduction_margin_response_db": _number(decibel(c.gain_down)),

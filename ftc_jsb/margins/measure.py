@@ -34,33 +34,39 @@ class ChannelMargins(NamedTuple):
     classical: ClassicalMargins
     response: Response
     agree: bool
+    amplitude: float  # of the signals [N], [-], [rad]
 
 
 Tell = Callable[[str], None]
 
 
-def channel_margins(scenario: Scenario, channel: Channel, tell: Tell) -> ChannelMargins:
+def channel_margins(
+    scenario: Scenario, channel: Channel, tell: Tell, scale: float = 1.0
+) -> ChannelMargins:
     """Measure both ways and compare.
 
     Args:
         scenario: straight and level, see `condition.level_scenario`.
         channel: input of the plant at which the loop is opened or altered.
         tell: is told what is flown next.
+        scale: of the signals, in units of AMPLITUDE.
 
     Raises:
         UserError: the aircraft cannot be had or trimmed, or does not fly unaltered.
     """
     tell(f"{channel}: frequency response")
-    response = frequency_response(scenario, channel)
+    amplitude = scale * AMPLITUDE[channel]
+    response = frequency_response(scenario, channel, amplitude)
     classical = classical_margins(response)
     tell(f"{channel}: gain")
-    gain = gain_margin(scenario, channel)
+    gain = gain_margin(scenario, channel, amplitude)
     tell(f"{channel}: delay")
-    delay = delay_margin(scenario, channel)
+    delay = delay_margin(scenario, channel, amplitude)
     near_gain = _close(gain, classical.gain, GAIN_AGREES, 0.0, MOST_GAIN)
     sample = 1.0 / scenario.loop.rate
     near_delay = _close(delay, classical.delay, DELAY_AGREES, sample, MOST_DELAY)
-    return ChannelMargins(channel, gain, delay, classical, response, near_gain and near_delay)
+    agree = near_gain and near_delay
+    return ChannelMargins(channel, gain, delay, classical, response, agree, amplitude)
 
 
 def _close(found: float, other: float, relative: float, absolute: float, most: float) -> bool:
@@ -69,7 +75,7 @@ def _close(found: float, other: float, relative: float, absolute: float, most: f
     return abs(found - other) <= max(relative * other, absolute)
 
 
-def frequency_response(scenario: Scenario, channel: Channel) -> Response:
+def frequency_response(scenario: Scenario, channel: Channel, amplitude: float) -> Response:
     """L at one input by multisines of different phases, a flight each.
 
     Raises:
@@ -81,7 +87,7 @@ def frequency_response(scenario: Scenario, channel: Channel) -> Response:
     still = round(SETTLE * rate)
     before, after = [], []
     for seed in range(REALISATIONS):
-        period = multisine(samples, lines, AMPLITUDE[channel], seed)
+        period = multisine(samples, lines, amplitude, seed)
         signal = np.concatenate([np.zeros(still), period, period, period, period[:1]])
         flown = altered_flight(scenario, channel, Injection(signal), (signal.size - 1) / rate)
         if not flown.complete:
@@ -92,13 +98,13 @@ def frequency_response(scenario: Scenario, channel: Channel) -> Response:
     return loop_response(np.array(before), np.array(after), lines, 1.0 / rate)
 
 
-def gain_margin(scenario: Scenario, channel: Channel) -> float:
+def gain_margin(scenario: Scenario, channel: Channel, step: float) -> float:
     """Factor on the command about its trim that breaks the loop.
 
     Raises:
         TrimError: it is broken unaltered.
     """
-    start, step = round(SETTLE * scenario.loop.rate), AMPLITUDE[channel]
+    start = round(SETTLE * scenario.loop.rate)
 
     def broken(factor: float) -> bool:
         flown = altered_flight(scenario, channel, Gain(factor, start, step), SETTLE + AFTER)
@@ -109,10 +115,10 @@ def gain_margin(scenario: Scenario, channel: Channel) -> float:
     return first_brink(broken, 1.05, MOST_GAIN)
 
 
-def delay_margin(scenario: Scenario, channel: Channel) -> float:
+def delay_margin(scenario: Scenario, channel: Channel, step: float) -> float:
     """Delay [s] of the command that breaks the loop; the flight after it lasts forty delays."""
     rate = scenario.loop.rate
-    start, step = round(SETTLE * rate), AMPLITUDE[channel]
+    start = round(SETTLE * rate)
 
     def broken(delay: float) -> bool:
         after = max(AFTER, 40.0 * delay)

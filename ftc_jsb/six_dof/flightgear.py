@@ -10,11 +10,11 @@ from typing import NamedTuple
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.scenario.schema import Scenario
 
-RATE = 60.0  # [Hz], at most: JSBSim sends after a whole number of its steps
+RATE = 60.0  # [Hz], about: JSBSim sends every so many of its steps
 
 
 class Viewer(NamedTuple):
-    """Where FlightGear listens: `fgfs --fdm=null --native-fdm=socket,in,60,,PORT,udp`."""
+    """Where FlightGear listens: `fgfs --fdm=null --native-fdm=socket,in,60,HOST,PORT,udp`."""
 
     host: str
     port: int
