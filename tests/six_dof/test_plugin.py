@@ -55,6 +55,12 @@ def test_documented_example_turns_30_degrees_and_finds_the_fault():
     assert loop["airspeed"] == pytest.approx(984.0 * 0.3048, abs=1.0)
 
 
+def test_documentation_shows_the_example_that_is_run():
+    page = (EXAMPLE.parents[1] / "plugin.md").read_text()
+    shown = page.split("```python\n")[1].split("```")[0]
+    assert EXAMPLE.read_text().endswith(shown)
+
+
 def test_plug_in_flies_what_fly_flies(flown):
     """The paper's scenario, the user's fault at 20 s through the property: bit for bit.
 
