@@ -249,7 +249,7 @@ def export(aircraft: str, folder: Path, stock: bool, force: bool) -> None:
     type=click.FloatRange(1e-3, 1e3),
     default=1.0,
     show_default=True,
-    help="Of the signals that are injected: 20 N, 0.02 g, 0.02 rad times this.",
+    help="Of the signals that are injected: 20 N, 0.005 g, 0.005 rad times this.",
 )
 @_out_option
 @_force_option

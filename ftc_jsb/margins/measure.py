@@ -15,7 +15,7 @@ from ftc_jsb.scenario.schema import Channel, Scenario
 
 CHANNELS: tuple[Channel, ...] = ("thrust", "load_factor", "bank_angle")
 # RMS of the injection and size of the step: so small that no limit and no rate limit is met
-AMPLITUDE = {"thrust": 20.0, "load_factor": 0.02, "bank_angle": 0.02}  # [N], [-], [rad]
+AMPLITUDE = {"thrust": 20.0, "load_factor": 0.005, "bank_angle": 0.005}  # [N], [-], [rad]
 SETTLE = 10.0  # [s] of flight before anything is altered
 PERIOD = 40.0  # [s] of the multisine: its lowest line is 0.157 rad/s
 LINES = 90

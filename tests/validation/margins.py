@@ -21,7 +21,7 @@ WORDS = (
     "level flight of the 6-DOF aircraft at the middle of its test range, estimator on "
     "([margins](margins.md) says how). The first number of a pair is inserted until the loop breaks, the "
     "second is from the frequency response; they must agree to 0.5 dB and to 5 % or a sample. Signals are "
-    "small: 20 N, 0.02 g, 0.02 rad."
+    "small: 20 N, 0.005 g, 0.005 rad."
 )
 
 
