@@ -1,4 +1,6 @@
-"""Margins of the outer loop on every JSBSim aircraft: a table and a figure for docs/validation.md."""
+"""Margins of the outer loop on every JSBSim aircraft: `python -m tests.validation.margins` prints the
+table and draws the figure of docs/margins.md.
+"""
 
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -62,3 +64,8 @@ def margins_section() -> Iterator[str]:
             "![Bode diagrams of the opened loop at thrust, load factor and bank angle of the F-16]"
             "(images/margins.png)"
         )
+
+
+if __name__ == "__main__":
+    for line in margins_section():
+        print(line)
