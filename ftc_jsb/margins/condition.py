@@ -2,10 +2,13 @@
 
 from pathlib import Path
 
+from pydantic import ValidationError
+
 from ftc_jsb.errors import ScenarioError, UserError
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.scenario.load import load_scenario, scenario_names
-from ftc_jsb.scenario.schema import AircraftChoice, Model, Reference, Scenario
+from ftc_jsb.scenario.schema import AircraftChoice, Initial, Model, Reference, Scenario
+from ftc_jsb.typed_file import first_problem
 
 
 def level_scenario(
@@ -29,7 +32,10 @@ def level_scenario(
         base = _of_aircraft(name)
     changes = {"airspeed": airspeed, "altitude": altitude, "flight_path_deg": 0.0}
     given = {key: value for key, value in changes.items() if value is not None}
-    initial = type(base.initial)(**{**base.initial.model_dump(), **given})
+    try:
+        initial = Initial(**{**base.initial.model_dump(), **given})
+    except ValidationError as error:
+        raise ScenarioError(f"initial.{first_problem(error, Initial)}") from None
     return Scenario(
         name="margins",
         title=f"straight and level for margins of {name}",

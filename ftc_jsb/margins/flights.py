@@ -28,6 +28,7 @@ def altered_flight(
 
     Raises:
         UserError: the aircraft cannot be had or trimmed.
+        KeyboardInterrupt: the flight was interrupted, which says nothing of the loop.
     """
     flown = scenario.model_copy(update={"duration": seconds})
     model = point_mass_of(flown).record(flown.aircraft.fuel_fraction)
@@ -36,4 +37,6 @@ def altered_flight(
     rows: Any = flight.record[f"{channel}_cmd"]
     given = plant.given[: rows.size]
     outcome = flight.outcome
+    if outcome.status == "interrupted":
+        raise KeyboardInterrupt
     return Altered(np.array(rows), given, outcome.status == "complete", outcome.reason)

@@ -32,6 +32,14 @@ def test_injection_of_nothing_is_the_flight_itself():
     np.testing.assert_allclose(altered.commanded[:100], record["thrust_cmd"][:100], rtol=1e-3)
 
 
+def test_interruption_is_not_taken_for_a_loop_that_breaks():
+    def interrupt(commands, i):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        altered_flight(level_scenario("paper", "paper"), "thrust", interrupt, 1.0)
+
+
 def test_condition_is_that_of_the_scenario_or_of_the_aircraft():
     assert level_scenario("paper", "jsbsim").initial.airspeed == 300.0
     assert level_scenario("f16", "jsbsim").initial.airspeed == 240.0
