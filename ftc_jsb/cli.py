@@ -147,6 +147,34 @@ def report(recordings: tuple[Path, ...], out: Path | None, force: bool, as_json:
 
 @main.command()
 @click.argument("recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path))
+def replay(recording: Path) -> None:
+    """Fly a recording again, its commands included; exit code 1 if not bit for bit the same."""
+    from ftc_jsb.simulation.recording import attributes_of, load
+    from ftc_jsb.simulation.replay import changed_since, differences
+    from ftc_jsb.simulation.replay import replay as fly_again
+
+    flight = load(recording)
+    again = fly_again(flight)
+    found = differences(flight, again)
+    if not found:
+        click.echo(
+            f"{recording}: the same to the bit: {flight.record.size} samples, "
+            f"{len(flight.commands)} commands"
+        )
+        return
+    for change in changed_since(flight, attributes_of(recording)):
+        click.echo(f"ftc-jsb: {change}", err=True)
+    first = found[0]
+    click.echo(
+        f"ftc-jsb: {recording}: {len(found)} variables differ, the first is {first.name} from "
+        f"{first.time:.2f} s on, by {first.largest:.3g} at most",
+        err=True,
+    )
+    sys.exit(LIMIT_BROKEN)
+
+
+@main.command()
+@click.argument("recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path))
 @click.option("--to", "format_", metavar="FORMAT", required=True, help="See docs/scenarios.md.")
 @click.option(
     "--out", metavar="FILE", type=click.Path(path_type=Path), help="Default: beside the recording."

@@ -46,7 +46,7 @@ def flight_metrics(flight: Flight) -> Metrics:
 
 def passed(metrics: Metrics) -> bool:
     """Whether a flight ended as planned, inside every limit."""
-    return metrics["status"] == "complete" and not metrics["limits_broken"]
+    return metrics["status"] in ("complete", "ended") and not metrics["limits_broken"]
 
 
 def _tracking(record: npt.NDArray[Any]) -> Metrics:

@@ -5,12 +5,13 @@ from typing import Any, Literal, NamedTuple
 import numpy.typing as npt
 
 from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.commands import Applied
 
 
 class Outcome(NamedTuple):
     """How a flight ended, when [s], and why if it was not complete."""
 
-    status: Literal["complete", "departed", "failed", "interrupted"]
+    status: Literal["complete", "ended", "departed", "failed", "interrupted"]
     time: float
     reason: str
 
@@ -22,6 +23,7 @@ class Flight(NamedTuple):
     record: npt.NDArray[Any]  # (rows,) of `variables.ROW`
     outcome: Outcome
     real_time_factor: float | None  # None for a recording that was read back
+    commands: tuple[Applied, ...] = ()  # given in flight
 
     @property
     def label(self) -> str:

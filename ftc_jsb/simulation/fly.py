@@ -21,10 +21,12 @@ from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.reference import raw_commands
 from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.commands import CommandSource
 from ftc_jsb.simulation.flight import Flight, Outcome
 from ftc_jsb.simulation.monitor import FLYING, REASONS, departed
 from ftc_jsb.simulation.plant import Plant
 from ftc_jsb.simulation.possible import impossible
+from ftc_jsb.simulation.steering import Steering
 from ftc_jsb.simulation.variables import ROW, numbers
 
 Observer = Callable[[npt.NDArray[Any], int], None]  # recording, row just completed
@@ -37,7 +39,7 @@ def fly(
     scenario: Scenario,
     observers: Sequence[Observer] = (),
     plant: Plant | None = None,
-    output: Path | None = None,
+    commands: CommandSource | None = None,
 ) -> Flight:
     """Fly `scenario` with its model and loop.
 
@@ -46,10 +48,10 @@ def fly(
         observers: called after every sample with the recording and the row; they watch only. One with
             an attribute `coarse` that is true may be called every STRETCH samples instead.
         plant: in place of the model's own (a user's aircraft, an independent integration).
-        output: JSBSim's output directive (`six_dof.flightgear`), by its absolute path.
+        commands: from a ground station or a recording, applied between samples; none before row 1.
 
     Returns:
-        The flight, complete or up to where it departed or was interrupted.
+        The flight, complete or up to where it departed, was ended or was interrupted.
 
     Raises:
         UserError: an aircraft, loop or trim that cannot be had, or a fault that the model has not. A
@@ -76,9 +78,16 @@ def fly(
     started = time.perf_counter()
     senses = Senses(sensor_record(scenario, record), faults, record, numbers(record))
     advance, length = _advance(plant, loop, observers, filters, senses)
+    steering = Steering(setup, scenario, model, loop, senses)
     try:
         while rows < record.size:
-            last, reason = advance(rows, min(rows + length, record.size))
+            beyond = min(rows + length, record.size)
+            if commands is not None:
+                if rows > 0 and not _steered(steering, commands, rows):
+                    outcome = Outcome("ended", rows * dt, "ended by command")
+                    break
+                beyond = min(beyond, commands.next_row(rows))
+            last, reason = advance(rows, beyond)
             rows = last + 1
             if reason != FLYING:
                 outcome = Outcome("departed", last * dt, REASONS[reason])
@@ -94,7 +103,12 @@ def fly(
     finally:
         plant.close()
     elapsed = time.perf_counter() - started
-    return Flight(scenario, record[:rows], outcome, rows * dt / elapsed)
+    return Flight(scenario, record[:rows], outcome, rows * dt / elapsed, tuple(steering.applied))
+
+
+def _steered(steering: Steering, commands: CommandSource, row: int) -> bool:
+    """Apply what is to be applied before `row`; whether the flight goes on."""
+    return all(steering.apply(command, row) for command in commands.take(row))
 
 
 def _advance(

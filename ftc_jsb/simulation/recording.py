@@ -12,14 +12,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
+from pydantic import ValidationError
 
 import ftc_jsb
 from ftc_jsb.errors import RecordingError, ScenarioError
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.load import parse_scenario, scenario_toml
 from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.commands import commands_json, parse_commands
 from ftc_jsb.simulation.flight import Flight, Outcome
 from ftc_jsb.simulation.variables import ROW, VARIABLES
+from ftc_jsb.typed_file import Section, first_problem
 
 if TYPE_CHECKING:
     import xarray
@@ -53,6 +56,7 @@ def to_dataset(flight: Flight) -> "xarray.Dataset":
             "status": flight.outcome.status,
             "end_time_s": flight.outcome.time,
             "reason": flight.outcome.reason,
+            "commands": commands_json(flight.commands),
         },
     )
 
@@ -113,6 +117,14 @@ def _uninterrupted() -> Iterator[None]:
         raise KeyboardInterrupt
 
 
+def attributes_of(path: Path) -> dict[str, Any]:
+    """Attributes of a recording that `load` has read."""
+    import xarray
+
+    with xarray.open_dataset(path, engine="netcdf4", decode_times=False) as dataset:
+        return dict(dataset.attrs)
+
+
 def load(path: Path) -> Flight:
     """Read a flight back.
 
@@ -142,6 +154,10 @@ def load(path: Path) -> Flight:
     record = np.zeros(dataset.sizes["time"], ROW)
     for name in ROW.names or ():
         record[name] = dataset[name].to_numpy()
+    try:
+        commands = parse_commands(str(attributes.get("commands", "[]")))
+    except ValidationError as error:
+        raise RecordingError(f"{path}: commands: {first_problem(error, Section)}") from None
     status = cast(Any, attributes["status"])
     outcome = Outcome(status, float(attributes["end_time_s"]), str(attributes["reason"]))
-    return Flight(scenario, record, outcome, None)
+    return Flight(scenario, record, outcome, None, commands)

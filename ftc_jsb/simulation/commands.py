@@ -1,0 +1,216 @@
+"""The one command queue: what may change a flight, drained at step boundaries and recorded.
+
+A command is data: the same commands at the same rows make the same flight, bit for bit, whether they
+come from a ground station (`CommandQueue`) or from a recording (`RecordedCommands`).
+"""
+
+import json
+import threading
+import time
+from collections import deque
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Literal, NamedTuple, Protocol
+
+from pydantic import Field, TypeAdapter
+
+from ftc_jsb.scenario.schema import Fault
+from ftc_jsb.typed_file import Section
+
+_Key = Annotated[str, Field(min_length=1, max_length=80)]
+
+
+class SetAirspeed(Section):
+    """Airspeed command to `value`, at `rate`."""
+
+    kind: Literal["set-airspeed"] = "set-airspeed"
+    value: float = Field(ge=50.0, le=600.0)  # m/s
+    rate: float = Field(gt=0.0, le=100.0)  # m/s^2
+
+
+class SetFlightPath(Section):
+    """Flight path command to `value`, at `rate`."""
+
+    kind: Literal["set-flight-path"] = "set-flight-path"
+    value: float = Field(ge=-1.05, le=1.05)  # rad: 60 deg, as in [reference]
+    rate: float = Field(gt=0.0, le=1.0)  # rad/s
+
+
+class SetHeading(Section):
+    """Heading command to `value`, the shorter way round, at `rate`."""
+
+    kind: Literal["set-heading"] = "set-heading"
+    value: float = Field(ge=-6.3, le=6.3)  # rad: one turn either way
+    rate: float = Field(gt=0.0, le=1.0)  # rad/s
+
+
+class SetAltitude(Section):
+    """Climb or descend to `value` by a flight path command that ends level."""
+
+    kind: Literal["set-altitude"] = "set-altitude"
+    value: float = Field(ge=0.0, le=20000.0)  # m
+    flight_path: float = Field(gt=0.0, le=1.05)  # rad, the steepest
+    rate: float = Field(gt=0.0, le=1.0)  # rad/s, of the flight path
+
+
+class Inject(Section):
+    """A fault that starts now, in place of those that its target has."""
+
+    kind: Literal["inject"] = "inject"
+    fault: Fault  # its `start` is when the command is applied
+
+
+class Heal(Section):
+    """The end of every fault of a target."""
+
+    kind: Literal["heal"] = "heal"
+    target: _Key
+
+
+class SetLoop(Section):
+    """A number of [loop], such as `gains[0]` or `detector.margin`."""
+
+    kind: Literal["set-loop"] = "set-loop"
+    key: _Key
+    value: float
+
+
+class Pause(Section):
+    """Time stands still; the flight is not changed."""
+
+    kind: Literal["pause"] = "pause"
+
+
+class Resume(Section):
+    """Time goes on."""
+
+    kind: Literal["resume"] = "resume"
+
+
+class End(Section):
+    """The flight ends here."""
+
+    kind: Literal["end"] = "end"
+
+
+class Reset(Section):
+    """The flight ends here, and the scenario is flown again from its start."""
+
+    kind: Literal["reset"] = "reset"
+
+
+Command = (
+    SetAirspeed
+    | SetFlightPath
+    | SetHeading
+    | SetAltitude
+    | Inject
+    | Heal
+    | SetLoop
+    | Pause
+    | Resume
+    | End
+    | Reset
+)
+
+
+class Applied(NamedTuple):
+    """A command and the row before which it was applied."""
+
+    row: int
+    command: Command
+
+
+class _Entry(Section):
+    """`Applied` in a recording."""
+
+    row: int = Field(ge=1)
+    command: Annotated[Command, Field(discriminator="kind")]
+
+
+_ENTRIES = TypeAdapter(tuple[_Entry, ...])
+
+
+def commands_json(applied: Sequence[Applied]) -> str:
+    """Applied commands as JSON: what a recording carries."""
+    return json.dumps(
+        [{"row": row, "command": command.model_dump(mode="json")} for row, command in applied]
+    )
+
+
+def parse_commands(text: str) -> tuple[Applied, ...]:
+    """The inverse of `commands_json`.
+
+    Raises:
+        pydantic.ValidationError: not such a list.
+    """
+    entries = _ENTRIES.validate_json(text, strict=True)
+    return tuple(Applied(entry.row, entry.command) for entry in entries)
+
+
+class CommandSource(Protocol):
+    """Where `fly` gets commands from."""
+
+    def next_row(self, row: int) -> int:
+        """The first row after `row` before which a command may come."""
+
+    def take(self, row: int) -> Iterator[Command]:
+        """Commands to be applied before `row` is flown."""
+
+
+class CommandQueue:
+    """Commands from another thread. Between `Pause` and `Resume` the flight waits here."""
+
+    def __init__(self) -> None:
+        """An empty queue."""
+        self._waiting: deque[Command] = deque()
+        self._changed = threading.Condition()
+        self.held = 0.0  # [s] of wall time that the flight has been paused, all in all
+
+    def put(self, command: Command) -> None:
+        """Have `command` applied at the next step boundary."""
+        with self._changed:
+            self._waiting.append(command)
+            self._changed.notify()
+
+    def next_row(self, row: int) -> int:
+        """Any row."""
+        return row + 1
+
+    def take(self, row: int) -> Iterator[Command]:
+        """What is waiting; after a `Pause` also what comes, up to a `Resume`."""
+        paused = False
+        while self._waiting or paused:
+            if not self._waiting:
+                self._hold()
+            command = self._waiting.popleft()
+            if isinstance(command, Pause):
+                paused = True
+            elif isinstance(command, Resume):
+                paused = False
+            yield command
+
+    def clear(self) -> None:
+        """Forget what has not been applied: it was meant for a flight that is over."""
+        self._waiting.clear()
+
+    def _hold(self) -> None:
+        since = time.perf_counter()
+        with self._changed:
+            self._changed.wait_for(lambda: bool(self._waiting))
+        self.held += time.perf_counter() - since
+
+
+class RecordedCommands:
+    """The commands of a recording."""
+
+    def __init__(self, applied: Sequence[Applied]) -> None:
+        """Args: in the order of their rows."""
+        self._applied = tuple(applied)
+
+    def next_row(self, row: int) -> int:
+        """The row of the next command; a row beyond any flight if there is none."""
+        return next((entry.row for entry in self._applied if entry.row > row), 2**62)
+
+    def take(self, row: int) -> Iterator[Command]:
+        """Those that were applied before `row`."""
+        return (entry.command for entry in self._applied if entry.row == row)

@@ -1,0 +1,147 @@
+"""Commands applied to a flight: the rows to come are rewritten, the loop's settings replaced."""
+
+import math
+import re
+from typing import Any
+
+import numpy.typing as npt
+from pydantic import ValidationError
+
+from ftc_jsb.control.loops import BUILT_IN, CompiledLoop, RecordedLoop, loop_settings
+from ftc_jsb.disturbance.faults import CHANNELS, effectiveness
+from ftc_jsb.errors import ScenarioError
+from ftc_jsb.scenario.schema import Loop, Scenario
+from ftc_jsb.simulation.commands import (
+    Applied,
+    Command,
+    End,
+    Heal,
+    Inject,
+    Reset,
+    SetAirspeed,
+    SetAltitude,
+    SetFlightPath,
+    SetHeading,
+    SetLoop,
+)
+from ftc_jsb.simulation.set_points import climb, nearest_turn, ramp
+from ftc_jsb.typed_file import first_problem
+
+
+class Steering:
+    """Applies commands to a recording that is being flown, and keeps what was applied."""
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        model: npt.NDArray[Any],
+        loop: RecordedLoop,
+        record: npt.NDArray[Any],
+    ) -> None:
+        """Args: what is flown; (1,) MODEL; the loop; (rows,) of the recording."""
+        self._reference = scenario.reference
+        self._model = model
+        self._loop = loop
+        self._settings = scenario.loop
+        self._faults = scenario.fault
+        self._record = record
+        self.applied: list[Applied] = []
+
+    def apply(self, command: Command, row: int) -> bool:
+        """Apply `command` before `row` (1 or later) is flown.
+
+        Returns:
+            Whether the flight goes on.
+
+        Raises:
+            ScenarioError: the loop has no such setting, or the value is out of its range.
+        """
+        if isinstance(command, SetLoop):
+            self._set_loop(command)
+        elif isinstance(command, Inject | Heal):
+            self._set_faults(command, row)
+        elif isinstance(command, SetAirspeed | SetFlightPath | SetHeading):
+            self._set_point(command, row)
+        elif isinstance(command, SetAltitude):
+            self._set_altitude(command, row)
+        self.applied.append(Applied(row, command))
+        return not isinstance(command, End | Reset)
+
+    def _set_loop(self, command: SetLoop) -> None:
+        self._settings = changed_loop(self._settings, command)
+        if isinstance(self._loop, CompiledLoop):
+            name, dt = self._settings.name, float(self._loop.settings[0]["dt"])
+            self._loop.settings[:] = loop_settings(name, self._settings, self._model, dt)
+
+    def _set_faults(self, command: Inject | Heal, row: int) -> None:
+        target = command.fault.target if isinstance(command, Inject) else command.target
+        faults = [fault for fault in self._faults if fault.target != target]
+        if isinstance(command, Inject):
+            now = {"start": float(self._record[row]["time"])}
+            faults.append(command.fault.model_copy(update=now))
+        self._faults = tuple(faults)
+        truth = effectiveness(self._faults, self._record["time"][row:])
+        for column, channel in enumerate(CHANNELS):
+            self._record[f"effectiveness_{channel}"][row:] = truth[:, column]
+
+    def _set_point(self, command: SetAirspeed | SetFlightPath | SetHeading, row: int) -> None:
+        column = {
+            "set-airspeed": "airspeed_cmd_raw",
+            "set-flight-path": "flight_path_angle_cmd_raw",
+            "set-heading": "heading_cmd_raw",
+        }[command.kind]
+        start, elapsed = float(self._record[row - 1][column]), self._elapsed(row)
+        target = command.value
+        if isinstance(command, SetHeading):
+            target = nearest_turn(target, start)
+        self._record[column][row:] = ramp(start, target, command.rate, elapsed)
+
+    def _set_altitude(self, command: SetAltitude, row: int) -> None:
+        before = self._record[row - 1]
+        frequency, damping = self._reference.filter_frequency, self._reference.filter_damping
+        # What the command filter still has in it, if its input went to level now: its integral.
+        coming = 2.0 * damping / frequency * float(before["flight_path_angle_ref"])
+        coming += float(before["flight_path_angle_ref_rate"]) / frequency**2
+        airspeed = self._record["airspeed_cmd_raw"][row:]
+        height = command.value - float(before["altitude"]) - float(airspeed[0]) * math.sin(coming)
+        self._record["flight_path_angle_cmd_raw"][row:] = climb(
+            height,
+            float(before["flight_path_angle_cmd_raw"]),
+            command.flight_path,
+            command.rate,
+            airspeed,
+            self._elapsed(row),
+        )
+
+    def _elapsed(self, row: int) -> npt.NDArray[Any]:
+        times: npt.NDArray[Any] = self._record["time"][row:] - self._record[row - 1]["time"]
+        return times
+
+
+def changed_loop(loop: Loop, command: SetLoop) -> Loop:
+    """[loop] with one number changed.
+
+    Raises:
+        ScenarioError: there is no such number, or the value is out of its range.
+    """
+    values: dict[str, Any] = loop.model_dump()
+    place: Any = values
+    *way, last = (
+        int(part) if part.isdigit() else part for part in re.split(r"[.\[\]]+", command.key) if part
+    )
+    try:
+        for part in way:
+            inside = place[part]
+            place[part] = list(inside) if isinstance(inside, tuple) else inside
+            place = place[part]
+        if loop.name not in BUILT_IN or type(place[last]) is not float:
+            raise TypeError
+        place[last] = command.value
+    except (TypeError, KeyError, IndexError):
+        raise ScenarioError(
+            f"loop.{command.key}: the loop {loop.name!r} has no such number"
+        ) from None
+    try:
+        return Loop.model_validate(values)
+    except ValidationError as error:
+        raise ScenarioError(f"loop.{first_problem(error, Loop)}") from None
