@@ -4,8 +4,7 @@ import json
 import shlex
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
-from functools import partial
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, cast
 
@@ -28,6 +27,39 @@ _out_option = click.option(
 )
 _force_option = click.option("--force", is_flag=True, help="Write into DIR though it is not empty.")
 _json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON for machines.")
+
+
+_LIVE = (
+    click.option(
+        "--realtime", is_flag=False, flag_value=1.0, metavar="[FACTOR]", default=None,
+        type=click.FloatRange(0.01, 100.0), help="Hold the flight back to the clock, or FACTOR times it.",
+    ),
+    click.option(
+        "--mavlink", "endpoint", metavar="ENDPOINT",
+        help="Be a MAVLink vehicle: udpout:HOST:PORT, udpin:HOST:PORT or tcpin:HOST:PORT.",
+    ),
+    click.option(
+        "--sysid", type=click.IntRange(1, 255), default=1, help="System id of the vehicle."
+    ),
+    click.option(
+        "--mavlink-key", "key", metavar="FILE", type=click.Path(path_type=Path),
+        help="Pass phrase: frames are signed, and what is not signed is refused.",
+    ),
+    click.option("--mavlink-readonly", "readonly", is_flag=True, help="Ignore what the ground says."),
+    click.option(
+        "--tlog", metavar="FILE", type=click.Path(path_type=Path), help="Write a telemetry log."
+    ),
+    click.option(
+        "--linger", metavar="SECONDS", type=click.FloatRange(0.0, 1e9), default=None,
+        help="Time that the vehicle stays after its flight; on a terminal until Ctrl-C, else 0.",
+    ),
+)  # fmt: skip
+
+
+def _live_options(command: Any) -> Any:
+    for option in reversed(_LIVE):
+        command = option(command)
+    return command
 
 
 class _Commands(click.Group):
@@ -66,6 +98,7 @@ def main() -> None:
 @_out_option
 @_force_option
 @_json_option
+@_live_options
 def fly(
     scenario: str,
     model: str | None,
@@ -75,6 +108,7 @@ def fly(
     out: Path | None,
     force: bool,
     as_json: bool,
+    **live: Any,
 ) -> None:
     """Fly SCENARIO once; write flight.nc and metrics.json."""
     from ftc_jsb.simulation.folder import output_folder
@@ -90,8 +124,11 @@ def fly(
         watch = _paced(watch, flown.loop.rate)
     with output_folder(out, flown.name, force) as folder:
         _announce(flown)
-        with shown as output:
-            result = fly_and_save(flown, folder, watch, output)
+        with _live(flown, **live) as beside:
+            result = fly_and_save(flown, folder, _progress_for(flown, as_json), beside)
+    if beside is not None:
+        for line in beside.summary():
+            click.echo(f"ftc-jsb: {line}", err=True)
     if as_json:
         click.echo(json.dumps(result.document, indent=2))
     else:
@@ -378,16 +415,42 @@ def _progress_for(scenario: "Scenario", quiet: bool) -> Any:
     return Progress(scenario, enabled=sys.stderr.isatty() and not quiet)
 
 
-def _paced(watch: Any, rate: float) -> Any:
-    """The same observers, and one that holds the flight back to real time."""
-    from ftc_jsb.simulation.pacing import Pacer
+@contextmanager
+def _live(
+    scenario: "Scenario",
+    realtime: float | None,
+    endpoint: str | None,
+    sysid: int,
+    key: Path | None,
+    readonly: bool,
+    tlog: Path | None,
+    linger: float | None,
+) -> Iterator[Any]:
+    """What flies beside: nothing, or real time, a vehicle and a log."""
+    if realtime is None and endpoint is None and tlog is None:
+        yield None
+        return
+    from ftc_jsb.mavlink.endpoint import parse_endpoint
+    from ftc_jsb.mavlink.live import live_flight
+    from ftc_jsb.mavlink.signing import load_key
+    from ftc_jsb.mavlink.vehicle import Link
 
-    @contextmanager
-    def paced(label: str) -> Iterator[list[Any]]:
-        with watch(label) as observers:
-            yield [*observers, Pacer(rate, 1.0)]
-
-    return paced
+    link = Link(
+        parse_endpoint(endpoint) if endpoint else None,
+        sysid,
+        load_key(key) if key else None,
+        readonly,
+    )
+    if link.endpoint and link.endpoint.kind != "udpout" and not link.endpoint.is_local and not key:
+        click.echo(
+            f"ftc-jsb: note: {link.endpoint} can be reached from other machines; --mavlink-key or "
+            "--mavlink-readonly keeps their commands out",
+            err=True,
+        )
+    if linger is None:
+        linger = 1e9 if endpoint and sys.stderr.isatty() else 0.0
+    with live_flight(scenario, realtime, link, tlog, linger) as beside:
+        yield beside
 
 
 def _write_report(flights: dict[str, Any], folder: Path, as_json: bool) -> None:

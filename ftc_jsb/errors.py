@@ -29,3 +29,7 @@ class RecordingError(UserError):
 
 class TheoryError(UserError):
     """A system that the theory does not cover; says which output, input or matrix, and where."""
+
+
+class LinkError(UserError):
+    """An endpoint, a key or a log of the MAVLink vehicle cannot be used."""

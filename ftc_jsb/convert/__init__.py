@@ -19,7 +19,9 @@ class Format(NamedTuple):
     meaning: str
 
 
-FORMATS: dict[str, Format] = {}
+FORMATS: dict[str, Format] = {
+    "tlog": Format(".tlog", "MAVLink telemetry log: mavlogdump, MAVExplorer, Mission Planner"),
+}
 
 
 def convert(flight: Flight, name: str, path: Path) -> None:

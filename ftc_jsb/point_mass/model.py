@@ -167,3 +167,10 @@ def at_condition(model: Any, airspeed: float, altitude: float) -> Condition:
         bilinear(model.thrust_military, r, b, c, d),
         bilinear(model.thrust_maximum, r, b, c, d),
     )
+
+
+@compiled
+def thrust_limits(model: Any, airspeed: float, altitude: float) -> tuple[float, float]:
+    """Idle and greatest thrust [N] of healthy engines at an airspeed [m/s] and altitude [m]."""
+    at = at_condition(model[0], airspeed, altitude)
+    return at.thrust_idle, at.thrust_maximum

@@ -165,6 +165,7 @@ class CommandQueue:
         self._waiting: deque[Command] = deque()
         self._changed = threading.Condition()
         self.held = 0.0  # [s] of wall time that the flight has been paused, all in all
+        self.paused = False
 
     def put(self, command: Command) -> None:
         """Have `command` applied at the next step boundary."""
@@ -178,20 +179,25 @@ class CommandQueue:
 
     def take(self, row: int) -> Iterator[Command]:
         """What is waiting; after a `Pause` also what comes, up to a `Resume`."""
-        paused = False
-        while self._waiting or paused:
+        self.paused = False
+        while self._waiting or self.paused:
             if not self._waiting:
                 self._hold()
             command = self._waiting.popleft()
-            if isinstance(command, Pause):
-                paused = True
-            elif isinstance(command, Resume):
-                paused = False
+            if isinstance(command, Pause | Resume):
+                self.paused = isinstance(command, Pause)
             yield command
+
+    def wait(self, timeout: float | None) -> Command | None:
+        """The next command, for which it waits; None if none comes in `timeout` seconds."""
+        with self._changed:
+            self._changed.wait_for(lambda: bool(self._waiting), timeout)
+            return self._waiting.popleft() if self._waiting else None
 
     def clear(self) -> None:
         """Forget what has not been applied: it was meant for a flight that is over."""
         self._waiting.clear()
+        self.paused = False
 
     def _hold(self) -> None:
         since = time.perf_counter()

@@ -4,12 +4,13 @@ import json
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.metrics import Metrics, flight_metrics
 from ftc_jsb.scenario.schema import Model, Scenario
 from ftc_jsb.simulation.check import check_scenario
+from ftc_jsb.simulation.commands import CommandSource
 from ftc_jsb.simulation.flight import Flight
 from ftc_jsb.simulation.fly import Observer, fly
 from ftc_jsb.simulation.recording import load, save
@@ -28,20 +29,37 @@ class Result(NamedTuple):
     document: dict[str, Any]
 
 
-def fly_and_save(
-    scenario: Scenario, folder: Path, watch: Watch, output: Path | None = None
-) -> Result:
-    """Fly once; write `flight.nc` and `metrics.json`, also of a flight that did not end well.
+class Live(Protocol):
+    """Real time and ground stations, as a flight sees them."""
 
-    Args:
-        scenario: as loaded.
-        folder: exists.
-        watch: gives the observers.
-        output: JSBSim's output directive.
+    observers: Sequence[Observer]
+    commands: CommandSource | None
+
+    def flies_again(self, flight: Flight) -> bool:
+        """A flight is over and saved; whether another of the same scenario is wanted."""
+
+
+def fly_and_save(
+    scenario: Scenario, folder: Path, watch: Watch, live: Live | None = None
+) -> Result:
+    """Fly; write `flight.nc` and `metrics.json`, also of a flight that did not end well.
+
+    A live flight may be flown again; the earlier ones are then `flight-1.nc`, `flight-2.nc`, ...
     """
-    with watch(scenario.model) as observers:
-        flight = fly(scenario, observers, output=output)
-    save(flight, folder / "flight.nc")
+    path = folder / "flight.nc"
+    flown = 0
+    while True:
+        with watch(scenario.model) as observers:
+            if live is None:
+                flight = fly(scenario, observers)
+            else:
+                flight = fly(scenario, (*observers, *live.observers), commands=live.commands)
+        if flown:
+            path.replace(folder / f"flight-{flown}.nc")
+        save(flight, path)
+        flown += 1
+        if live is None or not live.flies_again(flight):
+            break
     metrics = flight_metrics(flight)
     contents = document({flight.label: metrics})
     write_metrics(folder / "metrics.json", contents)

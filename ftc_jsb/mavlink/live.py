@@ -1,0 +1,111 @@
+"""A live flight: paced, seen and commanded by ground stations, and what becomes of it afterwards."""
+
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from ftc_jsb.mavlink.tlog import TelemetryLog
+from ftc_jsb.mavlink.vehicle import Link, Tally, Vehicle
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.commands import CommandQueue, End, Reset
+from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.simulation.fly import Observer
+from ftc_jsb.simulation.pacing import Pacer, PacingError
+
+SWITCH = 0.0005  # [s] that one thread may keep the other waiting
+
+
+class LiveFlight:
+    """A `Live` with a vehicle."""
+
+    def __init__(self, vehicle: Vehicle, pacer: Pacer | None, queue: CommandQueue, linger: float):
+        """Args: the parts; for how long [s] the vehicle stays after its flight."""
+        self.commands = queue
+        self.observers: Sequence[Observer] = (vehicle, pacer) if pacer else (vehicle,)
+        self.pacer = pacer
+        self.tally: Tally | None = None
+        self._vehicle = vehicle
+        self._linger = linger
+
+    def flies_again(self, flight: Flight) -> bool:
+        """The vehicle stays, with its heartbeat, until the time is over, Ctrl-C or a command."""
+        self._vehicle.ended(flight)
+        if flight.commands and isinstance(flight.commands[-1].command, Reset):
+            return self._again()
+        if flight.outcome.status == "interrupted" or self._vehicle.leaves:
+            return False
+        until = time.monotonic() + self._linger
+        try:
+            while (left := until - time.monotonic()) > 0.0:
+                command = self.commands.wait(min(left, 3600.0))
+                if isinstance(command, Reset):
+                    return self._again()
+                if isinstance(command, End):
+                    return False
+        except KeyboardInterrupt:
+            pass
+        return False
+
+    def _again(self) -> bool:
+        self.commands.clear()
+        self._vehicle.begins()
+        return True
+
+    def summary(self) -> list[str]:
+        """What went over the link, and how well time was kept; for the user."""
+        lines = []
+        if self.tally is not None:
+            t = self.tally
+            lines.append(
+                f"link: {t.sent} frames sent ({t.unsent} not taken), {t.received} received "
+                f"({t.ignored} ignored), {t.refused} refused, {t.clamped} values clamped"
+            )
+            lines += [f"link: internal error: {error}" for error in t.errors]
+        if self.pacer is not None:
+            lines.append(pacing_line(self.pacer.error()))
+        return lines
+
+
+def pacing_line(error: PacingError) -> str:
+    """How well time was kept."""
+    return (
+        f"real time: samples began {1e3 * error.median:.2f} ms late in the median, "
+        f"{1e3 * error.p99:.2f} ms at 99 %, {1e3 * error.largest:.1f} ms at most; "
+        f"{error.overruns} of {error.samples} later than one sample"
+    )
+
+
+@contextmanager
+def live_flight(
+    scenario: Scenario, factor: float | None, link: Link, log: Path | None, linger: float
+) -> Iterator[LiveFlight]:
+    """A vehicle that is there from now to the end of the block.
+
+    Args:
+        scenario: to be flown.
+        factor: seconds of flight a second, or None to fly flat out.
+        link: endpoint and identity.
+        log: telemetry log to be written.
+        linger: for how long the vehicle stays after its flight [s].
+
+    Raises:
+        LinkError: the endpoint or the log cannot be used.
+    """
+    queue = CommandQueue()
+    pacer = Pacer(scenario.loop.rate, factor, queue) if factor else None
+    tlog = TelemetryLog(log) if log else None
+    before = sys.getswitchinterval()
+    try:
+        vehicle = Vehicle(scenario, queue, link, tlog, pacer)
+        live = LiveFlight(vehicle, pacer, queue, linger)
+        sys.setswitchinterval(SWITCH)
+        try:
+            yield live
+        finally:
+            live.tally = vehicle.close()
+    finally:
+        sys.setswitchinterval(before)
+        if tlog is not None:
+            tlog.close()

@@ -1,0 +1,25 @@
+"""The secret key of a signed link."""
+
+import hashlib
+from pathlib import Path
+
+from ftc_jsb.errors import LinkError
+
+SHORTEST = 8  # characters
+
+
+def load_key(path: Path) -> bytes:
+    """SHA-256 of the pass phrase in a file, as ground stations make their key of one.
+
+    Raises:
+        LinkError: no such file, or no pass phrase in it.
+    """
+    try:
+        phrase = path.read_bytes().strip()
+    except OSError as error:
+        raise LinkError(f"--mavlink-key {path}: cannot be read: {error.strerror}") from None
+    if len(phrase) < SHORTEST or b"\n" in phrase:
+        raise LinkError(
+            f"--mavlink-key {path}: expected a pass phrase of one line, {SHORTEST} characters or more"
+        )
+    return hashlib.sha256(phrase).digest()

@@ -1,0 +1,113 @@
+"""What the messages are made of: one row of a recording, with position, attitude and thrust limits."""
+
+import math
+from enum import Enum
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from pymap3d.enu import enu2geodetic
+
+from ftc_jsb.compiled import direct
+from ftc_jsb.point_mass.attitude import Angles, attitude, body_rates
+from ftc_jsb.point_mass.model import thrust_limits
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.fly import point_mass_of
+
+EARTH_RADIUS = 6.371e6  # [m]
+
+
+class Phase(Enum):
+    """Where a flight is, as the link tells it."""
+
+    WAITING = "waiting"  # not yet begun
+    FLYING = "flying"
+    PAUSED = "paused"
+    OVER = "over"  # complete or ended by command
+    LOST = "lost"  # departed, failed or interrupted
+
+
+class Counters(NamedTuple):
+    """What SYS_STATUS tells of the link itself."""
+
+    load: float = 0.0  # share of the last sample's time that the flight took
+    overruns: int = 0  # samples that began late
+    clamped: int = 0  # values that did not fit their field
+    unsent: int = 0  # frames that no peer took
+    refused: int = 0  # frames that were not understood or not trusted
+
+
+class Snapshot(NamedTuple):
+    """A vehicle at one sample. SI and rad, position in degrees."""
+
+    phase: Phase
+    counters: Counters
+    unix: float  # [s]
+    row: dict[str, float]  # of the recording; empty while waiting
+    latitude: float
+    longitude: float
+    attitude: Angles
+    rates: Angles
+    thrust_idle: float
+    thrust_maximum: float
+    origin: tuple[float, float]  # latitude, longitude
+
+
+class Observatory:
+    """Makes snapshots of rows of the recordings of one scenario."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        """Builds what a snapshot needs, kernels included: none is compiled in flight."""
+        initial = scenario.initial
+        self._origin = (initial.latitude_deg, initial.longitude_deg)
+        self._start = initial.altitude
+        self._model = point_mass_of(scenario).record(scenario.aircraft.fuel_fraction)
+        self._dt = 1.0 / scenario.loop.rate
+        self._attitude = direct(attitude, 0.0, 0.0, 0.0, 0.0)
+        self._rates = direct(body_rates, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
+        self._limits = direct(thrust_limits, self._model, 0.0, 0.0)
+
+    def waiting(self, unix: float, counters: Counters) -> Snapshot:
+        """Before the first row."""
+        nowhere = (0.0, 0.0, 0.0)
+        return Snapshot(
+            Phase.WAITING, counters, unix, {}, *self._origin, nowhere, nowhere, 0.0, 0.0, self._origin
+        )  # fmt: skip
+
+    def at(
+        self, record: npt.NDArray[Any], i: int, phase: Phase, unix: float, counters: Counters
+    ) -> Snapshot:
+        """Of row `i`, which is complete."""
+        row: dict[str, float] = dict(zip(record.dtype.names or (), record[i].tolist(), strict=True))
+        now = self._angles(row)
+        rates = (row["roll_rate"], row["pitch_rate"], row["yaw_rate"])
+        if not math.isfinite(sum(rates)):
+            rates = (0.0, 0.0, 0.0)
+            if i > 0:
+                before = record[i - 1]
+                names = ("flight_path_angle", "heading", "bank_angle", "alpha")
+                then = self._attitude(*(float(before[name]) for name in names))
+                rates = self._rates(then, now, self._dt)
+        latitude, longitude = self._position(row["north"], row["east"], row["altitude"])
+        idle, most = self._limits(self._model, row["airspeed"], row["altitude"])
+        return Snapshot(
+            phase, counters, unix, row, latitude, longitude, now, rates, idle, most, self._origin
+        )
+
+    def _angles(self, row: dict[str, float]) -> Angles:
+        recorded = (row["roll"], row["pitch"], row["yaw"])
+        if math.isfinite(sum(recorded)):
+            return recorded
+        found: Angles = self._attitude(
+            row["flight_path_angle"], row["heading"], row["bank_angle"], row["alpha"]
+        )
+        return found
+
+    def _position(self, north: float, east: float, altitude: float) -> tuple[float, float]:
+        """Latitude and longitude of a point over the tangent plane (WGS 84)."""
+        if not math.isfinite(north + east + altitude):
+            return self._origin
+        # The plane leaves the ellipsoid: a point at this altitude is lower over the plane.
+        up = altitude - self._start - (north * north + east * east) / (2.0 * EARTH_RADIUS)
+        latitude, longitude, _ = enu2geodetic(east, north, up, *self._origin, self._start)
+        return float(latitude), float(np.asarray(longitude))
