@@ -50,3 +50,25 @@ def attitude_from_path(path: float, bank: float, alpha: float) -> tuple[float, f
 def continuous(angle: float, previous: float) -> float:
     """`angle` plus the whole turns that bring it nearest to `previous`."""
     return angle + 2.0 * math.pi * round((previous - angle) / (2.0 * math.pi))
+
+
+@compiled
+def body_rates(
+    before: tuple[float, float, float], after: tuple[float, float, float], dt: float
+) -> tuple[float, float, float]:
+    """Roll, pitch and yaw rate of the body between two attitudes (roll, pitch, yaw), `dt` s apart.
+
+    Differences of the Euler angles, turned into body axes at their mean.
+    """
+    roll, pitch = 0.5 * (before[0] + after[0]), 0.5 * (before[1] + after[1])
+    turn = (after[0] - before[0]) % (2.0 * math.pi)
+    if turn > math.pi:
+        turn -= 2.0 * math.pi
+    roll_dot, pitch_dot = turn / dt, (after[1] - before[1]) / dt
+    yaw_dot = (after[2] - before[2]) / dt
+    sr, cr, sp, cp = math.sin(roll), math.cos(roll), math.sin(pitch), math.cos(pitch)
+    return (
+        roll_dot - yaw_dot * sp,
+        pitch_dot * cr + yaw_dot * cp * sr,
+        yaw_dot * cp * cr - pitch_dot * sr,
+    )

@@ -7,25 +7,26 @@ from typing import Any, NamedTuple
 from pydantic import ValidationError
 from pymavlink.dialects.v20 import common as dialect
 
+from ftc_jsb.disturbance.faults import CAPACITY
 from ftc_jsb.mavlink.answers import autopilot_version
 from ftc_jsb.mavlink.desk import Desk
-from ftc_jsb.mavlink.failures import failure
+from ftc_jsb.mavlink.failures import SENSORS, failure
 from ftc_jsb.mavlink.snapshot import Phase
 from ftc_jsb.mavlink.status import IN_THE_AIR, home_position
 from ftc_jsb.mavlink.streams import BY_ID, contents
 from ftc_jsb.simulation.commands import (
     Command,
     End,
-    Heal,
-    Inject,
     Pause,
     Reset,
     Resume,
     SetAirspeed,
     SetAltitude,
+    SetFaults,
     SetFlightPath,
     SetHeading,
 )
+from ftc_jsb.simulation.fly import point_mass_of
 
 ACCEPTED = dialect.MAV_RESULT_ACCEPTED
 DENIED = dialect.MAV_RESULT_DENIED
@@ -51,7 +52,8 @@ class CommandProtocol:
     def __init__(self, desk: Desk) -> None:
         """Args: the vehicle."""
         self._desk = desk
-        self._injected: dict[str, Inject] = {}
+        self._engines = point_mass_of(desk.scenario).thrust.engines
+        self._injected: dict[tuple[str, ...], SetFaults] = {}
         self._handlers: dict[int, Callable[[Params], Reply]] = {
             dialect.MAV_CMD_INJECT_FAILURE: self._inject_failure,
             dialect.MAV_CMD_DO_CHANGE_SPEED: self._change_speed,
@@ -117,17 +119,19 @@ class CommandProtocol:
         if self._desk.parameters["SYS_FAILURE_EN"] != 1.0:
             return Reply(DENIED, "refused: SYS_FAILURE_EN is 0")
         unit, kind, instance = (_whole(value) for value in params[:3])
-        command = failure(unit, kind, instance, self._desk.parameters["FAIL_EFF"])
+        numbers = (self._desk.parameters["FAIL_EFF"], self._desk.parameters["FAIL_DELAY"])
+        command = failure(self._desk.scenario, self._engines, unit, kind, instance, *numbers)
         if command is None:
             return Reply(UNSUPPORTED, "refused: this aircraft has no such failure")
-        if isinstance(command, Heal):
-            self._injected.pop(command.target, None)
-            return self._flown(lambda: command)
-        if self._injected.get(command.fault.target) == command:
+        if self._injected.get(command.targets) == command:
             return Reply(ACCEPTED)  # sent again: it is there already
-        reply = self._flown(lambda: command)
+        others = {t: given for t, given in self._injected.items() if not {*t} & {*command.targets}}
+        count = len(self._desk.scenario.fault) + sum(len(c.faults) for c in others.values())
+        if count + len(command.faults) > CAPACITY:
+            return Reply(DENIED, "refused: too many faults at once")
+        reply = self._flown(lambda: command, _told(command, unit))
         if reply.result == ACCEPTED:
-            self._injected[command.fault.target] = command
+            self._injected = {**others, command.targets: command}
         return reply
 
     def _change_speed(self, params: Params) -> Reply:
@@ -142,7 +146,8 @@ class CommandProtocol:
         )
 
     def _still_air(self) -> bool:
-        return self._desk.scenario.wind.speed == 0.0
+        wind = self._desk.scenario.wind
+        return not (wind.speed or wind.shear or wind.gust) and wind.turbulence == "none"
 
     def _change_heading(self, params: Params) -> Reply:
         degrees, acceleration = params[1], params[2]
@@ -268,6 +273,15 @@ class CommandProtocol:
     def _capabilities(self, params: Params) -> Reply:
         self._desk.send(dialect.MAVLink_autopilot_version_message, autopilot_version())
         return Reply(ACCEPTED)
+
+
+def _told(command: SetFaults, unit: int) -> str:
+    """What a failure of a sensor is; others are seen in the recording."""
+    if unit not in SENSORS:
+        return ""
+    if not command.faults:
+        return f"fault removed: {command.targets[0]}"
+    return f"fault injected: {command.faults[0].target} {command.faults[0].kind}"
 
 
 def _whole(value: float) -> int:

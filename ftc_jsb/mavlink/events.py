@@ -7,11 +7,12 @@ import numpy as np
 import numpy.typing as npt
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.disturbance.faults import CHANNELS
+from ftc_jsb.disturbance.faults import ENGINE_OUT, HEALTHY, HELD, TIME_TOLERANCE
+from ftc_jsb.disturbance.signals import SENSED
 from ftc_jsb.scenario.limits import limited_variables
-from ftc_jsb.scenario.schema import Limits, Scenario
+from ftc_jsb.scenario.schema import CHANNELS, ENGINES, SURFACES, Limits, Scenario
 
-HEALTHY = 1.0 - 1e-9
+WHOLE = 1.0 - 1e-9  # effectiveness below which there is a fault
 STEP = 0.02  # change of an effectiveness from one sample to the next that is told
 NEAR = 0.05  # of a limit's range: this close to its end is near
 SETTLED = 0.01  # an estimate that moves less than this ...
@@ -20,6 +21,15 @@ LONGEST = 50  # characters of a text
 
 NOTICE, WARNING = dialect.MAV_SEVERITY_NOTICE, dialect.MAV_SEVERITY_WARNING
 CRITICAL = dialect.MAV_SEVERITY_CRITICAL
+
+
+STATES = {ENGINE_OUT: "out", HELD: "stuck"}
+SCHEDULED = (  # name, column, whether it is a state rather than an effectiveness
+    *((channel.replace("_", " "), f"effectiveness_{channel}", False) for channel in CHANNELS),
+    *((surface, f"{surface}_effectiveness", False) for surface in SURFACES),
+    *((f"engine {number + 1}", f"engine_{number}_state", True) for number in range(ENGINES)),
+    *((surface, f"{surface}_state", True) for surface in SURFACES),
+)
 
 
 class Event(NamedTuple):
@@ -36,6 +46,7 @@ class Watch:
     def __init__(self, scenario: Scenario) -> None:
         """Args: what is flown."""
         self._limits = scenario.limits
+        self._sensor_faults = [f for f in scenario.fault if f.target in SENSED]
         self._margin = scenario.loop.detector.margin
         self._window = max(1, round(SETTLING * scenario.loop.rate))
         self._near: dict[str, int] = {}  # 0 inside, 1 near, 2 broken
@@ -45,25 +56,44 @@ class Watch:
         """Events of rows `first` to `beyond - 1`, in their order."""
         found = [
             *self._faults(record, first, beyond),
+            *self._sensors(record, first, beyond),
             *self._detector(record, first, beyond),
             *self._broken(record[first:beyond], first, self._limits),
         ]
         return sorted(found, key=lambda event: event.row)
 
     def _faults(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
-        for channel in CHANNELS:
-            truth = record[f"effectiveness_{channel}"][max(first - 1, 0) : beyond]
-            before = truth[:-1] if first > 0 else np.concatenate(([1.0], truth[:-1]))
-            now = truth[1:] if first > 0 else truth
-            faulty = now < HEALTHY
-            onset = faulty & ((before >= HEALTHY) | (np.abs(now - before) > STEP))
-            ended = ~faulty & (before < HEALTHY)
-            name = channel.replace("_", " ")
-            for k in np.flatnonzero(onset | ended):
-                if onset[k]:
-                    yield Event(first + int(k), WARNING, f"fault injected: {name} {now[k]:.2f}")
+        """Onsets, jumps and ends of what stands in the schedule."""
+        for name, column, is_state in SCHEDULED:
+            sound = HEALTHY if is_state else 1.0
+            values = np.nan_to_num(record[column][max(first - 1, 0) : beyond], nan=sound)
+            if first == 0:
+                values = np.concatenate(([sound], values))
+            before, now = values[:-1], values[1:]
+            faulty = now != sound if is_state else now < WHOLE
+            changed = np.abs(now - before) > (0.0 if is_state else STEP)
+            was = before != sound if is_state else before < WHOLE
+            for k in np.flatnonzero((faulty & (changed | ~was)) | (~faulty & was)):
+                if faulty[k]:
+                    what = STATES.get(int(now[k]), "hard over") if is_state else f"{now[k]:.2f}"
+                    yield Event(first + int(k), WARNING, f"fault injected: {name} {what}")
                 else:
                     yield Event(first + int(k), NOTICE, f"fault removed: {name}")
+
+    def _sensors(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
+        """Onsets and ends of the scenario's faults of sensors, which stand in no column."""
+        times = record["time"][first:beyond]
+        for fault in self._sensor_faults:
+            for when, text in (
+                (fault.start, f"fault injected: {fault.target} {fault.kind}"),
+                (fault.end, f"fault removed: {fault.target}"),
+            ):
+                if when is None:
+                    continue
+                k = int(np.searchsorted(times, when - TIME_TOLERANCE))
+                new = first == 0 or record["time"][first - 1] < when - TIME_TOLERANCE
+                if k < times.size and new:
+                    yield Event(first + k, WARNING, text)
 
     def _detector(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
         declared = record["fault_declared"][max(first - 1, 0) : beyond] > 0.5

@@ -7,7 +7,6 @@ from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.mavlink.quaternion import quaternion
 from ftc_jsb.mavlink.snapshot import Snapshot
-from ftc_jsb.units import STANDARD_GRAVITY
 
 Fields = dict[str, Any]
 UNKNOWN_8, UNKNOWN_16 = 2**8 - 1, 2**16 - 1
@@ -41,9 +40,15 @@ def _wrapped(angle: float) -> float:
     return math.remainder(angle, 2.0 * math.pi)
 
 
-def _compass(angle: float) -> float:
-    """[deg] in 0 to 360."""
-    return math.degrees(angle) % 360.0
+def _centidegrees(angle: float) -> int:
+    """[cdeg] in 0 to 35999, or unknown."""
+    return math.floor(1e2 * math.degrees(angle)) % 36000 if math.isfinite(angle) else UNKNOWN_16
+
+
+def _share(part: float, whole: float) -> float:
+    """`part` over `whole`; 0 where there is none."""
+    ratio = part / whole if whole else 0.0
+    return ratio if math.isfinite(ratio) else 0.0
 
 
 def attitude(s: Snapshot) -> Fields:
@@ -71,7 +76,7 @@ def global_position_int(s: Snapshot) -> Fields:
         "vx": 1e2 * north,
         "vy": 1e2 * east,
         "vz": -1e2 * up,
-        "hdg": math.floor(1e2 * _compass(s.attitude[2])) % 36000,
+        "hdg": _centidegrees(s.attitude[2]),
     }
 
 
@@ -85,12 +90,12 @@ def local_position_ned(s: Snapshot) -> Fields:
 def vfr_hud(s: Snapshot) -> Fields:
     """VFR_HUD with true airspeed; throttle is the commanded thrust over its greatest."""
     north, east, up = ground_velocity(s)
-    most = s.thrust_maximum
+    throttle = _share(_command(s, "thrust", "thrust"), s.thrust_maximum)
     return {
         "airspeed": s.row["airspeed"],
         "groundspeed": math.hypot(north, east),
-        "heading": math.floor(_compass(s.attitude[2])) % 360,
-        "throttle": min(max(100.0 * _command(s, "thrust", "thrust") / most, 0.0), 100.0),
+        "heading": _centidegrees(s.attitude[2]) // 100,
+        "throttle": min(max(100.0 * throttle, 0.0), 100.0),
         "alt": s.row["altitude"],
         "climb": up,
     }
@@ -114,7 +119,7 @@ def gps_raw_int(s: Snapshot) -> Fields:
         "eph": UNKNOWN_16,
         "epv": UNKNOWN_16,
         "vel": 1e2 * math.hypot(north, east),
-        "cog": math.floor(1e2 * _compass(math.atan2(east, north))) % 36000,
+        "cog": _centidegrees(math.atan2(east, north)),
         "satellites_visible": UNKNOWN_8,
     }
 
@@ -133,7 +138,7 @@ def attitude_target(s: Snapshot) -> Fields:
         "time_boot_ms": _boot(s),
         "type_mask": rates,
         "q": quaternion(roll, pitch, row["heading_ref"]),
-        "thrust": _command(s, "thrust", "thrust") / s.thrust_maximum,
+        "thrust": _share(_command(s, "thrust", "thrust"), s.thrust_maximum),
     }
 
 
@@ -166,11 +171,6 @@ def hil_state_quaternion(s: Snapshot) -> Fields:
     """HIL_STATE_QUATERNION: the truth, with accelerations as an accelerometer feels them."""
     row = s.row
     north, east, up = ground_velocity(s)
-    along = (row["thrust"] * math.cos(row["alpha"]) - row["drag"]) / (
-        row["mass"] * STANDARD_GRAVITY
-    )
-    sa, ca = math.sin(row["alpha"]), math.cos(row["alpha"])
-    normal = row["load_factor"]
     return {
         "time_usec": _usec(s),
         "attitude_quaternion": quaternion(*s.attitude),
@@ -183,9 +183,9 @@ def hil_state_quaternion(s: Snapshot) -> Fields:
         "vz": -1e2 * up,
         "ind_airspeed": 0,
         "true_airspeed": 1e2 * row["airspeed"],
-        "xacc": 1e3 * (along * ca + normal * sa),
-        "yacc": 0,
-        "zacc": 1e3 * (along * sa - normal * ca),
+        "xacc": 1e3 * row["load_factor_x"],
+        "yacc": 1e3 * row["load_factor_y"],
+        "zacc": -1e3 * row["load_factor_z"],
     }
 
 

@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from ftc_jsb.control.loop_records import NO_ESTIMATOR
 from ftc_jsb.control.loops import BUILT_IN
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.scenario.schema import Loop
@@ -24,42 +25,74 @@ class Parameter(NamedTuple):
     whole: bool = False
 
 
-LOOP_PARAMETERS = (
+TRACKING = (
     Parameter("GAIN_SPD", "1/s", "K_c of airspeed", "gains[0]"),
     Parameter("GAIN_FPA", "1/s", "K_c of flight path", "gains[1]"),
     Parameter("GAIN_HDG", "1/s", "K_c of heading", "gains[2]"),
+)
+INTEGRAL = (
+    Parameter("GAIN_I_SPD", "1/s^2", "integral gain of airspeed", "integral_gains[0]"),
+    Parameter("GAIN_I_FPA", "1/s^2", "of flight path", "integral_gains[1]"),
+    Parameter("GAIN_I_HDG", "1/s^2", "of heading", "integral_gains[2]"),
+)
+PATH = (
+    Parameter("GAIN_POS", "1/s^2", "path gain of position", "path_gains[0]"),
+    Parameter("GAIN_VEL", "1/s", "path gain of velocity", "path_gains[1]"),
+)
+EVERY = (
     Parameter("TRIM_ZETA", "1/s", "trim-input filter (10)", "trim_filter"),
-    Parameter("EFF_FLOOR", "1", "least effectiveness that the law divides by", "effectiveness_floor"),
-    Parameter("DET_MARGIN", "1", "loss that the detector puts down to the models", "detector.margin"),
-    Parameter("DET_SIGMAS", "1", "standard deviations that the loss must exceed", "detector.sigmas"),
+    Parameter(
+        "EFF_FLOOR", "1", "least effectiveness that the law divides by", "effectiveness_floor"
+    ),
+)
+DETECTOR = (
+    Parameter(
+        "DET_MARGIN", "1", "loss that the detector puts down to the models", "detector.margin"
+    ),
+    Parameter(
+        "DET_SIGMAS", "1", "standard deviations that the loss must exceed", "detector.sigmas"
+    ),
     Parameter("DET_HOLD", "s", "for so long", "detector.hold"),
-    Parameter("UKF_Q_SPD", "(m/s)^2", "process noise of airspeed a step", "estimator.process_noise[0]"),
+)
+COVARIANCES = (
+    Parameter(
+        "UKF_Q_SPD", "(m/s)^2", "process noise of airspeed a step", "estimator.process_noise[0]"
+    ),
     Parameter("UKF_Q_FPA", "rad^2", "of flight path", "estimator.process_noise[1]"),
     Parameter("UKF_Q_HDG", "rad^2", "of heading", "estimator.process_noise[2]"),
-    Parameter("UKF_Q_EFF", "1", "of the first estimated effectiveness", "estimator.process_noise[3]"),
-    Parameter("UKF_R_SPD", "(m/s)^2", "measurement noise of airspeed", "estimator.measurement_noise[0]"),
+    Parameter(
+        "UKF_Q_EFF", "1", "of the first estimated effectiveness", "estimator.process_noise[3]"
+    ),
+    Parameter(
+        "UKF_R_SPD", "(m/s)^2", "measurement noise of airspeed", "estimator.measurement_noise[0]"
+    ),
     Parameter("UKF_R_FPA", "rad^2", "of flight path", "estimator.measurement_noise[1]"),
     Parameter("UKF_R_HDG", "rad^2", "of heading", "estimator.measurement_noise[2]"),
-)  # fmt: skip
-SPECIAL_PARAMETERS = {  # of some loops only
-    "integral": (
-        Parameter("GAIN_I_SPD", "1/s^2", "integral gain of airspeed", "integral_gains[0]"),
-        Parameter("GAIN_I_FPA", "1/s^2", "of flight path", "integral_gains[1]"),
-        Parameter("GAIN_I_HDG", "1/s^2", "of heading", "integral_gains[2]"),
-    ),
-    "path": (
-        Parameter("GAIN_POS", "1/s^2", "path gain of position", "path_gains[0]"),
-        Parameter("GAIN_VEL", "1/s", "path gain of velocity", "path_gains[1]"),
-    ),
-}
+)
+TUNED = (Parameter("UKF_TIME", "s", "response time of the estimate", "estimator.response_time"),)
 LINK_PARAMETERS = (
     Parameter("SYS_FAILURE_EN", "", "1 lets failures be injected", "", 0.0, 1.0, 0.0, True),
     Parameter("FAIL_EFF", "1", "effectiveness that SLOW leaves", "", 0.0, 1.0, 0.6),
+    Parameter("FAIL_DELAY", "s", "by which DELAYED makes a sensor late", "", 0.01, 10.0, 0.5),
     Parameter("SP_SPD_RATE", "m/s^2", "rate of airspeed set-points", "", 0.1, 20.0, 2.0),
     Parameter("SP_FPA_RATE", "deg/s", "rate of flight path set-points", "", 0.05, 5.0, 0.5),
     Parameter("SP_FPA_MAX", "deg", "steepest path to a new altitude", "", 0.5, 30.0, 5.0),
     Parameter("SP_HDG_RATE", "deg/s", "rate of heading set-points", "", 0.1, 20.0, 3.0),
 )
+
+
+def loop_parameters(loop: Loop) -> tuple[Parameter, ...]:
+    """Those that act on a loop: none on one of the user's own."""
+    kind = BUILT_IN.get(loop.name)
+    if kind is None:
+        return ()
+    found = (PATH if kind.path else TRACKING) + EVERY
+    if kind.integral:
+        found += INTEGRAL
+    if kind.estimator != NO_ESTIMATOR:
+        tuned = kind.robust or loop.estimator.tuning == "sensors"
+        found += DETECTOR + (TUNED if tuned else COVARIANCES)
+    return found
 
 
 class Parameters:
@@ -68,9 +101,7 @@ class Parameters:
     def __init__(self, loop: Loop) -> None:
         """Args: [loop] of the scenario; a loop of the user's own has no numbers to be set."""
         self._loop = loop
-        self.all: tuple[Parameter, ...] = LINK_PARAMETERS
-        if loop.name in BUILT_IN:
-            self.all += LOOP_PARAMETERS + SPECIAL_PARAMETERS.get(loop.name, ())
+        self.all = LINK_PARAMETERS + loop_parameters(loop)
         self._index = {parameter.name: index for index, parameter in enumerate(self.all)}
         self._values = {p.name: p.default for p in self.all if not p.key}
 

@@ -9,12 +9,15 @@ import numpy.typing as npt
 from pymap3d.enu import enu2geodetic
 
 from ftc_jsb.compiled import direct
-from ftc_jsb.point_mass.attitude import Angles, attitude, body_rates
+from ftc_jsb.frames import body_rates
 from ftc_jsb.point_mass.model import thrust_limits
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.fly import point_mass_of
 
+Angles = tuple[float, float, float]
+
 EARTH_RADIUS = 6.371e6  # [m]
+WILD = 1e12  # in any unit: a number beyond it is of a flight that is lost, and told as unknown
 
 
 class Phase(Enum):
@@ -63,7 +66,6 @@ class Observatory:
         self._start = initial.altitude
         self._model = point_mass_of(scenario).record(scenario.aircraft.fuel_fraction)
         self._dt = 1.0 / scenario.loop.rate
-        self._attitude = direct(attitude, 0.0, 0.0, 0.0, 0.0)
         self._rates = direct(body_rates, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
         self._limits = direct(thrust_limits, self._model, 0.0, 0.0)
 
@@ -78,30 +80,21 @@ class Observatory:
         self, record: npt.NDArray[Any], i: int, phase: Phase, unix: float, counters: Counters
     ) -> Snapshot:
         """Of row `i`, which is complete."""
-        row: dict[str, float] = dict(zip(record.dtype.names or (), record[i].tolist(), strict=True))
-        now = self._angles(row)
+        names, values = record.dtype.names or (), record[i].tolist()
+        row = {
+            name: v if -WILD < v < WILD else math.nan for name, v in zip(names, values, strict=True)
+        }
+        now = (row["roll"], row["pitch"], row["yaw"])
         rates = (row["roll_rate"], row["pitch_rate"], row["yaw_rate"])
-        if not math.isfinite(sum(rates)):
-            rates = (0.0, 0.0, 0.0)
-            if i > 0:
-                before = record[i - 1]
-                names = ("flight_path_angle", "heading", "bank_angle", "alpha")
-                then = self._attitude(*(float(before[name]) for name in names))
-                rates = self._rates(then, now, self._dt)
+        if not math.isfinite(sum(rates)):  # a point mass has none
+            before = record[max(i - 1, 0)]
+            then = (float(before["roll"]), float(before["pitch"]), float(before["yaw"]))
+            rates = self._rates(then, now, self._dt)
         latitude, longitude = self._position(row["north"], row["east"], row["altitude"])
         idle, most = self._limits(self._model, row["airspeed"], row["altitude"])
         return Snapshot(
             phase, counters, unix, row, latitude, longitude, now, rates, idle, most, self._origin
         )
-
-    def _angles(self, row: dict[str, float]) -> Angles:
-        recorded = (row["roll"], row["pitch"], row["yaw"])
-        if math.isfinite(sum(recorded)):
-            return recorded
-        found: Angles = self._attitude(
-            row["flight_path_angle"], row["heading"], row["bank_angle"], row["alpha"]
-        )
-        return found
 
     def _position(self, north: float, east: float, altitude: float) -> tuple[float, float]:
         """Latitude and longitude of a point over the tangent plane (WGS 84)."""

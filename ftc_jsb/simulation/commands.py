@@ -52,18 +52,12 @@ class SetAltitude(Section):
     rate: float = Field(gt=0.0, le=1.0)  # rad/s, of the flight path
 
 
-class Inject(Section):
-    """A fault that starts now, in place of those that its target has."""
+class SetFaults(Section):
+    """Every fault of `targets` ends, and `faults` begin."""
 
-    kind: Literal["inject"] = "inject"
-    fault: Fault  # its `start` is when the command is applied
-
-
-class Heal(Section):
-    """The end of every fault of a target."""
-
-    kind: Literal["heal"] = "heal"
-    target: _Key
+    kind: Literal["set-faults"] = "set-faults"
+    targets: Annotated[tuple[_Key, ...], Field(min_length=1, max_length=32)]
+    faults: Annotated[tuple[Fault, ...], Field(max_length=16)] = ()  # their `start` is now
 
 
 class SetLoop(Section):
@@ -103,8 +97,7 @@ Command = (
     | SetFlightPath
     | SetHeading
     | SetAltitude
-    | Inject
-    | Heal
+    | SetFaults
     | SetLoop
     | Pause
     | Resume

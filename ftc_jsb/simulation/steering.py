@@ -8,43 +8,53 @@ import numpy.typing as npt
 from pydantic import ValidationError
 
 from ftc_jsb.control.loops import BUILT_IN, CompiledLoop, RecordedLoop, loop_settings
-from ftc_jsb.disturbance.faults import CHANNELS, effectiveness
+from ftc_jsb.control.protocol import LoopSetup
+from ftc_jsb.disturbance.faults import (
+    CAPACITY,
+    FIRST_SENSOR,
+    TARGETS,
+    fault_records,
+    schedule,
+)
+from ftc_jsb.disturbance.sensors import Senses
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.scenario.schema import Loop, Scenario
 from ftc_jsb.simulation.commands import (
     Applied,
     Command,
     End,
-    Heal,
-    Inject,
     Reset,
     SetAirspeed,
     SetAltitude,
+    SetFaults,
     SetFlightPath,
     SetHeading,
     SetLoop,
 )
+from ftc_jsb.simulation.possible import impossible
 from ftc_jsb.simulation.set_points import climb, nearest_turn, ramp
 from ftc_jsb.typed_file import first_problem
 
 
 class Steering:
-    """Applies commands to a recording that is being flown, and keeps what was applied."""
+    """Applies commands to a flight that is being flown, and keeps what was applied."""
 
     def __init__(
         self,
+        setup: LoopSetup,
         scenario: Scenario,
         model: npt.NDArray[Any],
         loop: RecordedLoop,
-        record: npt.NDArray[Any],
+        senses: Senses,
     ) -> None:
-        """Args: what is flown; (1,) MODEL; the loop; (rows,) of the recording."""
-        self._reference = scenario.reference
+        """Args: what the loop was built from; the scenario; (1,) MODEL; the loop; its senses."""
+        self._setup = setup
+        self._scenario = scenario
         self._model = model
         self._loop = loop
-        self._settings = scenario.loop
+        self._senses = senses
+        self._record = senses.record
         self._faults = scenario.fault
-        self._record = record
         self.applied: list[Applied] = []
 
     def apply(self, command: Command, row: int) -> bool:
@@ -54,11 +64,12 @@ class Steering:
             Whether the flight goes on.
 
         Raises:
-            ScenarioError: the loop has no such setting, or the value is out of its range.
+            ScenarioError: the loop has no such setting, the value is out of its range, or the aircraft
+                cannot have the fault.
         """
         if isinstance(command, SetLoop):
             self._set_loop(command)
-        elif isinstance(command, Inject | Heal):
+        elif isinstance(command, SetFaults):
             self._set_faults(command, row)
         elif isinstance(command, SetAirspeed | SetFlightPath | SetHeading):
             self._set_point(command, row)
@@ -68,21 +79,29 @@ class Steering:
         return not isinstance(command, End | Reset)
 
     def _set_loop(self, command: SetLoop) -> None:
-        self._settings = changed_loop(self._settings, command)
+        changed = changed_loop(self._setup.settings, command)
+        self._setup = self._setup._replace(settings=changed)
         if isinstance(self._loop, CompiledLoop):
-            name, dt = self._settings.name, float(self._loop.settings[0]["dt"])
-            self._loop.settings[:] = loop_settings(name, self._settings, self._model, dt)
+            self._loop.settings[:] = loop_settings(self._setup, self._model)
 
-    def _set_faults(self, command: Inject | Heal, row: int) -> None:
-        target = command.fault.target if isinstance(command, Inject) else command.target
-        faults = [fault for fault in self._faults if fault.target != target]
-        if isinstance(command, Inject):
-            now = {"start": float(self._record[row]["time"])}
-            faults.append(command.fault.model_copy(update=now))
+    def _set_faults(self, command: SetFaults, row: int) -> None:
+        for fault in command.faults:
+            reason = impossible(self._scenario, fault)
+            if reason:
+                raise ScenarioError(f"set-faults: {reason}")
+        now = {"start": float(self._record[row]["time"])}
+        faults = [fault for fault in self._faults if fault.target not in command.targets]
+        faults += [fault.model_copy(update=now) for fault in command.faults]
+        if len(faults) > CAPACITY:
+            raise ScenarioError(
+                f"set-faults: {len(faults)} faults at once; expected {CAPACITY} at most"
+            )
         self._faults = tuple(faults)
-        truth = effectiveness(self._faults, self._record["time"][row:])
-        for column, channel in enumerate(CHANNELS):
-            self._record[f"effectiveness_{channel}"][row:] = truth[:, column]
+        records = fault_records(self._faults)
+        self._senses.faults[:] = records
+        if any(TARGETS.index(fault.target) >= FIRST_SENSOR for fault in command.faults):
+            self._senses.sensors[0]["perfect"] = 0
+        schedule(records, self._setup.aircraft.thrust.engines, self._record, row)
 
     def _set_point(self, command: SetAirspeed | SetFlightPath | SetHeading, row: int) -> None:
         column = {
@@ -98,7 +117,8 @@ class Steering:
 
     def _set_altitude(self, command: SetAltitude, row: int) -> None:
         before = self._record[row - 1]
-        frequency, damping = self._reference.filter_frequency, self._reference.filter_damping
+        reference = self._scenario.reference
+        frequency, damping = reference.filter_frequency, reference.filter_damping
         # What the command filter still has in it, if its input went to level now: its integral.
         coming = 2.0 * damping / frequency * float(before["flight_path_angle_ref"])
         coming += float(before["flight_path_angle_ref_rate"]) / frequency**2

@@ -89,15 +89,19 @@ def test_injected_fault_is_the_scheduled_one(model):
     """0.6 injected before row 2000 of a healthy flight is the paper's fault at 20 s, to the bit."""
     fault = Fault(effectiveness=0.6, start=0.0)
     overrides = [f"model={model}", "duration=30"]
-    injected = flown_with((2000, c.Inject(fault=fault)), scenario="nominal", overrides=overrides)
+    injected = flown_with(
+        (2000, c.SetFaults(targets=("thrust",), faults=(fault,))),
+        scenario="nominal",
+        overrides=overrides,
+    )
     assert_same(injected, fly(load_scenario("paper", overrides)))
 
 
 def test_injection_is_idempotent_and_healing_ends_scheduled_faults_too():
     flight = flown_with(
-        (100, c.Inject(fault=FAULT)),
-        (150, c.Inject(fault=FAULT)),
-        (2500, c.Heal(target="thrust")),
+        (100, c.SetFaults(targets=("thrust",), faults=(FAULT,))),
+        (150, c.SetFaults(targets=("thrust",), faults=(FAULT,))),
+        (2500, c.SetFaults(targets=("thrust",))),
         scenario="paper",
     )
     truth = flight.record["effectiveness_thrust"]
@@ -136,10 +140,10 @@ def test_recording_keeps_commands_and_replays_to_the_bit(tmp_path):
             (60, c.SetHeading(value=0.3, rate=0.05)),
             (70, c.SetAltitude(value=3100.0, flight_path=0.05, rate=0.01)),
             (80, c.SetLoop(key="trim_filter", value=20.0)),
-            (90, c.Inject(fault=FAULT)),
+            (90, c.SetFaults(targets=("thrust",), faults=(FAULT,))),
             (200, c.Pause()),
             (200, c.Resume()),
-            (300, c.Heal(target="thrust")),
+            (300, c.SetFaults(targets=("thrust",))),
             (400, c.SetFlightPath(value=0.02, rate=0.02)),
             (777, c.End()),
             overrides=[f"model={model}"],

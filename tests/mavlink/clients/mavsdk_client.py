@@ -37,13 +37,14 @@ async def first(stream, wanted=lambda value: True, within=8.0):
         async for value in stream:
             if wanted(value):
                 return value
+        raise EOFError
 
     return await asyncio.wait_for(look(), within)
 
 
 async def collect_texts(telemetry):
     async for text in telemetry.subscribe_status_text():
-        texts.append(text.text)
+        texts.extend([text.text])
 
 
 async def collect_named(direct):
