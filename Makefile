@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: demo test validate inner-loops lint format golden clean
+.PHONY: demo test validate hostile inner-loops lint format golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
@@ -17,6 +17,9 @@ validate: $(READY)  ## Long flights and many flights; writes docs/validation.md
 
 inner-loops: $(READY)  ## Fly and judge every inner loop's steps: table and figures of docs/aircraft.md
 	$(BIN)/ftc-jsb inner-loop f16 f15 F4N A4 T38 --report --out docs/images/inner-loop --force
+
+hostile: $(READY)  ## A million hostile frames on the MAVLink vehicle, some minutes
+	FTC_JSB_HOSTILE=1000000 $(BIN)/pytest -n 0 tests/mavlink/test_hostile.py
 
 lint: $(READY)
 	$(BIN)/ruff check .
