@@ -112,7 +112,7 @@ def test_hostile_frames_change_nothing(stream, key, monkeypatch):
         ground = Ground(up.port, stream=stream, key=key)
         enemy = ground if stream else Ground(up.port)
         ground.wait_for("ATTITUDE", within=10.0)
-            for batch in range(0, share, BATCH):
+        for batch in range(0, share, BATCH):
             for _ in range(min(BATCH, share - batch)):
                 enemy.socket.send(hostile(chance, frames))
             if stream:  # so that a frame that was promised and never came is over
