@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from ftc_jsb.errors import LinkError
 from ftc_jsb.mavlink.tlog import TelemetryLog
 from ftc_jsb.mavlink.vehicle import Link, Tally, Vehicle
 from ftc_jsb.scenario.schema import Scenario
@@ -95,7 +96,7 @@ def live_flight(
     """
     queue = CommandQueue()
     pacer = Pacer(scenario.loop.rate, factor, queue) if factor else None
-    tlog = TelemetryLog(log) if log else None
+    tlog = _opened(log) if log else None
     before = sys.getswitchinterval()
     try:
         vehicle = Vehicle(scenario, queue, link, tlog, pacer)
@@ -109,3 +110,10 @@ def live_flight(
         sys.setswitchinterval(before)
         if tlog is not None:
             tlog.close()
+
+
+def _opened(path: Path) -> TelemetryLog:
+    try:
+        return TelemetryLog(path)
+    except OSError as error:
+        raise LinkError(f"--tlog {path}: cannot be written: {error.strerror}") from None

@@ -14,11 +14,7 @@ from ftc_jsb.simulation.flight import Flight
 
 
 def write_tlog(flight: Flight, path: Path) -> None:
-    """Write a telemetry log of a flight; a recording has no date, so the log begins in 1970.
-
-    Raises:
-        LinkError: it cannot be written.
-    """
+    """Write a telemetry log of a flight; a recording has no date, so the log begins in 1970."""
     record = flight.record
     time = 0.0
     timetable = Timetable(lambda: time)

@@ -5,23 +5,14 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from ftc_jsb.errors import LinkError
-
 
 class TelemetryLog:
     """A log that is being written. A disk that fails is counted, not raised in flight."""
 
     def __init__(self, path: Path) -> None:
-        """Open `path` anew.
-
-        Raises:
-            LinkError: it cannot be written.
-        """
+        """Open `path` anew; raises OSError if it cannot be written."""
         self.lost = 0  # frames
-        try:
-            self._file = path.open("wb")
-        except OSError as error:
-            raise LinkError(f"--tlog {path}: cannot be written: {error.strerror}") from None
+        self._file = path.open("wb")
 
     def write(self, frame: bytes, unix: float) -> None:
         """Append a frame that was sent or received at `unix` [s]."""

@@ -55,10 +55,6 @@ class MavProxy:
 
     def close(self) -> None:
         """End the program and wait for it."""
-        self._process.terminate()
-        try:
-            self._process.wait(10.0)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        self._process.kill()  # it asks whether it is meant otherwise
+        self._process.wait()
         os.close(self._terminal)
