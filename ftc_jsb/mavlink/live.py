@@ -27,15 +27,15 @@ class LiveFlight:
         self.observers: Sequence[Observer] = (vehicle, pacer) if pacer else (vehicle,)
         self.pacer = pacer
         self.tally: Tally | None = None
-        self._vehicle = vehicle
+        self.vehicle = vehicle
         self._linger = linger
 
     def flies_again(self, flight: Flight) -> bool:
         """The vehicle stays, with its heartbeat, until the time is over, Ctrl-C or a command."""
-        self._vehicle.ended(flight)
+        self.vehicle.ended(flight)
         if flight.commands and isinstance(flight.commands[-1].command, Reset):
             return self._again()
-        if flight.outcome.status == "interrupted" or self._vehicle.leaves:
+        if flight.outcome.status == "interrupted" or self.vehicle.leaves:
             return False
         until = time.monotonic() + self._linger
         try:
@@ -51,7 +51,7 @@ class LiveFlight:
 
     def _again(self) -> bool:
         self.commands.clear()
-        self._vehicle.begins()
+        self.vehicle.begins()
         return True
 
     def summary(self) -> list[str]:

@@ -153,6 +153,11 @@ class Vehicle:
         self._selector.close()
         return self.tally()
 
+    def core_seconds(self) -> float:
+        """Time [s] that the vehicle's thread has kept a core busy."""
+        clock = time.pthread_getcpuclockid(self._thread.ident or 0)
+        return time.clock_gettime(clock)
+
     def tally(self) -> Tally:
         """What has gone over the link so far."""
         return Tally(

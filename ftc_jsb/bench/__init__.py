@@ -1,0 +1,1 @@
+"""What `ftc-jsb bench` measures."""
