@@ -5,6 +5,7 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as dialect
 
+from ftc_jsb.mavlink.geodesy import latitude_longitude
 from ftc_jsb.mavlink.quaternion import quaternion
 from ftc_jsb.mavlink.snapshot import Snapshot
 
@@ -21,6 +22,12 @@ def ground_velocity(s: Snapshot) -> tuple[float, float, float]:
         level * math.sin(row["heading"]) + row.get("wind_east", 0.0),
         row["airspeed"] * math.sin(row["flight_path_angle"]) + row.get("wind_up", 0.0),
     )
+
+
+def _position(s: Snapshot) -> Fields:
+    row = s.row
+    found = latitude_longitude(row["north"], row["east"], row["altitude"], s.origin)
+    return {"lat": 1e7 * found[0], "lon": 1e7 * found[1]}
 
 
 def _boot(s: Snapshot) -> float:
@@ -69,8 +76,7 @@ def global_position_int(s: Snapshot) -> Fields:
     north, east, up = ground_velocity(s)
     return {
         "time_boot_ms": _boot(s),
-        "lat": 1e7 * s.latitude,
-        "lon": 1e7 * s.longitude,
+        **_position(s),
         "alt": 1e3 * s.row["altitude"],
         "relative_alt": 1e3 * s.row["altitude"],
         "vx": 1e2 * north,
@@ -113,8 +119,7 @@ def gps_raw_int(s: Snapshot) -> Fields:
     return {
         "time_usec": _usec(s),
         "fix_type": dialect.GPS_FIX_TYPE_3D_FIX,
-        "lat": 1e7 * s.latitude,
-        "lon": 1e7 * s.longitude,
+        **_position(s),
         "alt": 1e3 * s.row["altitude"],
         "eph": UNKNOWN_16,
         "epv": UNKNOWN_16,
@@ -175,8 +180,7 @@ def hil_state_quaternion(s: Snapshot) -> Fields:
         "time_usec": _usec(s),
         "attitude_quaternion": quaternion(*s.attitude),
         **_angular(s),
-        "lat": 1e7 * s.latitude,
-        "lon": 1e7 * s.longitude,
+        **_position(s),
         "alt": 1e3 * row["altitude"],
         "vx": 1e2 * north,
         "vy": 1e2 * east,

@@ -4,19 +4,17 @@ import math
 from enum import Enum
 from typing import Any, NamedTuple
 
-import numpy as np
 import numpy.typing as npt
-from pymap3d.enu import enu2geodetic
 
 from ftc_jsb.compiled import direct
 from ftc_jsb.frames import body_rates
+from ftc_jsb.mavlink.geodesy import Origin
 from ftc_jsb.point_mass.model import thrust_limits
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.fly import point_mass_of
 
 Angles = tuple[float, float, float]
 
-EARTH_RADIUS = 6.371e6  # [m]
 WILD = 1e12  # in any unit: a number beyond it is of a flight that is lost, and told as unknown
 
 
@@ -41,19 +39,17 @@ class Counters(NamedTuple):
 
 
 class Snapshot(NamedTuple):
-    """A vehicle at one sample. SI and rad, position in degrees."""
+    """A vehicle at one sample, SI and rad."""
 
     phase: Phase
     counters: Counters
     unix: float  # [s]
     row: dict[str, float]  # of the recording; empty while waiting
-    latitude: float
-    longitude: float
     attitude: Angles
     rates: Angles
     thrust_idle: float
     thrust_maximum: float
-    origin: tuple[float, float]  # latitude, longitude
+    origin: Origin  # of north and east
 
 
 class Observatory:
@@ -62,8 +58,7 @@ class Observatory:
     def __init__(self, scenario: Scenario) -> None:
         """Builds what a snapshot needs, kernels included: none is compiled in flight."""
         initial = scenario.initial
-        self._origin = (initial.latitude_deg, initial.longitude_deg)
-        self._start = initial.altitude
+        self._origin = (initial.latitude_deg, initial.longitude_deg, initial.altitude)
         self._model = point_mass_of(scenario).record(scenario.aircraft.fuel_fraction)
         self._dt = 1.0 / scenario.loop.rate
         self._rates = direct(body_rates, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
@@ -73,7 +68,7 @@ class Observatory:
         """Before the first row."""
         nowhere = (0.0, 0.0, 0.0)
         return Snapshot(
-            Phase.WAITING, counters, unix, {}, *self._origin, nowhere, nowhere, 0.0, 0.0, self._origin
+            Phase.WAITING, counters, unix, {}, nowhere, nowhere, 0.0, 0.0, self._origin
         )  # fmt: skip
 
     def at(
@@ -90,17 +85,5 @@ class Observatory:
             before = record[max(i - 1, 0)]
             then = (float(before["roll"]), float(before["pitch"]), float(before["yaw"]))
             rates = self._rates(then, now, self._dt)
-        latitude, longitude = self._position(row["north"], row["east"], row["altitude"])
         idle, most = self._limits(self._model, row["airspeed"], row["altitude"])
-        return Snapshot(
-            phase, counters, unix, row, latitude, longitude, now, rates, idle, most, self._origin
-        )
-
-    def _position(self, north: float, east: float, altitude: float) -> tuple[float, float]:
-        """Latitude and longitude of a point over the tangent plane (WGS 84)."""
-        if not math.isfinite(north + east + altitude):
-            return self._origin
-        # The plane leaves the ellipsoid: a point at this altitude is lower over the plane.
-        up = altitude - self._start - (north * north + east * east) / (2.0 * EARTH_RADIUS)
-        latitude, longitude, _ = enu2geodetic(east, north, up, *self._origin, self._start)
-        return float(latitude), float(np.asarray(longitude))
+        return Snapshot(phase, counters, unix, row, now, rates, idle, most, self._origin)

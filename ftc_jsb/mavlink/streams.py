@@ -12,6 +12,7 @@ from ftc_jsb.mavlink.snapshot import Phase, Snapshot
 Fields = dict[str, Any]
 
 FASTEST = 200.0  # [Hz] that a message can be asked for
+TOGETHER = 0.01  # [s] by which messages are sent early, so that several are made of one look
 SLOWEST_HEARTBEAT = 1.0  # [Hz]: clients give a vehicle up that is slower
 
 
@@ -89,7 +90,7 @@ class Timetable:
         now = self._clock()
         found = []
         for message, when in self._due.items():
-            if when <= now:
+            if when <= now + TOGETHER:
                 found.append(BY_ID[message])
                 self._due[message] = max(when + self._period[message], now)
         return found

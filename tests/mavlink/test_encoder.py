@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.mavlink.encoder import Encoder
+from ftc_jsb.mavlink.geodesy import latitude_longitude
 from ftc_jsb.mavlink.snapshot import Counters, Observatory, Phase
 from ftc_jsb.mavlink.streams import STREAMS, contents
 from ftc_jsb.scenario.load import load_scenario
@@ -125,8 +126,9 @@ def test_position_on_the_globe_is_jsbsims(flown, model):
     flight = flown("paper", f"model={model}")
     i = flight.record.size - 1
     row = flight.record[i]
-    s = Observatory(flight.scenario).at(flight.record, i, Phase.FLYING, 1e9, Counters())
-    north = math.radians(s.latitude - s.origin[0]) * 6.3715e6  # [m] a radian at 47 deg
-    east = math.radians(s.longitude - s.origin[1]) * 6.3895e6 * math.cos(math.radians(47.0))
+    origin = (47.0, 8.0, 3048.0)
+    latitude, longitude = latitude_longitude(row["north"], row["east"], row["altitude"], origin)
+    north = math.radians(latitude - 47.0) * 6.3715e6  # [m] a radian at 47 deg
+    east = math.radians(longitude - 8.0) * 6.3895e6 * math.cos(math.radians(47.0))
     assert math.hypot(north, east) == pytest.approx(math.hypot(row["north"], row["east"]), rel=4e-3)
     assert math.atan2(east, north) == pytest.approx(math.atan2(row["east"], row["north"]), abs=5e-3)

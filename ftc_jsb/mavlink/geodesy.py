@@ -1,0 +1,28 @@
+"""From the tangent plane of the scenario to the globe."""
+
+import math
+from functools import lru_cache
+
+from pymap3d.enu import enu2geodetic
+
+EARTH_RADIUS = 6.371e6  # [m]
+
+Origin = tuple[float, float, float]  # latitude, longitude [deg], altitude [m]
+
+
+@lru_cache(maxsize=1)  # several messages of one sample ask
+def latitude_longitude(
+    north: float, east: float, altitude: float, origin: Origin
+) -> tuple[float, float]:
+    """Latitude and longitude [deg] of a point over the plane that touches WGS 84 at `origin`.
+
+    Args:
+        north, east: on the plane [m].
+        altitude: of the point [m]; the plane leaves the ellipsoid, so it is lower over the plane.
+        origin: where the plane touches.
+    """
+    if not math.isfinite(north + east + altitude):
+        return origin[:2]
+    up = altitude - origin[2] - (north * north + east * east) / (2.0 * EARTH_RADIUS)
+    latitude, longitude, _ = enu2geodetic(east, north, up, *origin)
+    return float(latitude), float(longitude)
