@@ -184,14 +184,21 @@ def report(recordings: tuple[Path, ...], out: Path | None, force: bool, as_json:
 
 @main.command()
 @click.argument("recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path))
-def replay(recording: Path) -> None:
-    """Fly a recording again, its commands included; exit code 1 if not bit for bit the same."""
+@_live_options
+def replay(recording: Path, **live: Any) -> None:
+    """Fly a recording again, its commands included; exit code 1 if not bit for bit the same.
+
+    A ground station may watch; what it says is ignored.
+    """
     from ftc_jsb.simulation.recording import attributes_of, load
     from ftc_jsb.simulation.replay import changed_since, differences
     from ftc_jsb.simulation.replay import replay as fly_again
 
     flight = load(recording)
-    again = fly_again(flight)
+    with _live(flight.scenario, **{**live, "readonly": True}) as beside:
+        again = fly_again(flight, beside.observers if beside else ())
+        if beside is not None:
+            beside.flies_again(again)
     found = differences(flight, again)
     if not found:
         click.echo(

@@ -43,6 +43,7 @@ class Ground:
             self.mav.signing.sign_outgoing = True
             self.mav.signing.timestamp = signing_time()
         self.heard: list = []
+        self.silent = False
         self.beat()
 
     def frame(self, message) -> bytes:
@@ -54,6 +55,8 @@ class Ground:
         self.socket.send(self.frame(message))
 
     def beat(self) -> None:
+        """As stations do every second, and this one as it listens."""
+        self._beaten = time.monotonic()
         self.send(dialect.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3))
 
     def command(self, command: int, *params: float, system: int = 1, component: int = 1) -> None:
@@ -69,6 +72,8 @@ class Ground:
 
     def _read(self) -> list:
         try:
+            if not self.silent and time.monotonic() > self._beaten + 1.0:
+                self.beat()
             data = self.socket.recv(65536)
         except (TimeoutError, ConnectionRefusedError):
             return []

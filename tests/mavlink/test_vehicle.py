@@ -1,7 +1,6 @@
 """The vehicle on real sockets: it is seen, it answers everything once, and nothing holds it up."""
 
 import socket
-import time
 
 import numpy as np
 import pytest
@@ -259,9 +258,9 @@ def test_silent_udp_peer_is_no_longer_sent_to(monkeypatch):
     with aloft() as up:
         ground = Ground(up.port)
         ground.wait_for("ATTITUDE", within=10.0)
+        ground.silent = True
         ground.listen(1.0)
         assert ground.listen(0.3) == []
         ground.beat()
         ground.wait_for("ATTITUDE")
         ground.close()
-        time.sleep(0.1)
