@@ -1,0 +1,57 @@
+"""docs/mavlink.md says what the program does: messages, rates, numbers, parameters and their ranges."""
+
+import re
+from pathlib import Path
+
+from ftc_jsb.mavlink import parameters
+from ftc_jsb.mavlink.command_protocol import CommandProtocol
+from ftc_jsb.mavlink.story import STORY
+from ftc_jsb.mavlink.streams import STREAMS
+
+TEXT = (Path(__file__).parents[2] / "docs" / "mavlink.md").read_text()
+
+
+def row(name):
+    return next(line for line in TEXT.splitlines() if re.match(rf"\|[^|]*\b{name}\b", line))
+
+
+def test_every_message_is_listed_with_its_rate():
+    for stream in STREAMS:
+        rate = row(stream.message.msgname).split("|")[2].strip()
+        assert rate == (f"{stream.rate:g}" if stream.rate else "on request")
+
+
+def test_every_number_is_listed():
+    for told in STORY:
+        assert told.unit in row(told.name), told.name
+
+
+def test_every_parameter_is_listed_and_the_links_with_range_and_default():
+    groups = (
+        parameters.TRACKING, parameters.INTEGRAL, parameters.PATH, parameters.EVERY, parameters.DETECTOR,
+        parameters.COVARIANCES, parameters.TUNED,
+    )  # fmt: skip
+    for parameter in (p for group in groups for p in group):
+        assert row(parameter.name)
+        assert len(parameter.name) <= 16
+    for parameter in parameters.LINK_PARAMETERS:
+        line = row(parameter.name)
+        word = "or" if parameter.whole else "to"
+        assert f"{parameter.low:g} {word} {parameter.high:g} ({parameter.default:g})" in line
+
+
+def test_every_command_is_listed(monkeypatch):
+    from pymavlink.dialects.v20 import common as dialect
+
+    class Nobody:
+        from ftc_jsb.scenario.load import load_scenario
+
+        scenario = load_scenario("paper")
+
+    listed = set()
+    for line in TEXT.splitlines():
+        if line.startswith("| MAV_CMD_"):
+            names = line.split("|")[1].replace(" ", "").split(",")
+            listed |= {n if n.startswith("MAV_CMD") else f"MAV_CMD{n}" for n in names}
+    handled = {dialect.enums["MAV_CMD"][n].name for n in CommandProtocol(Nobody())._handlers}
+    assert listed == handled
