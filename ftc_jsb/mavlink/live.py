@@ -7,10 +7,11 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ftc_jsb.errors import LinkError
+from ftc_jsb.mavlink.recorded import write_tlog
 from ftc_jsb.mavlink.tlog import TelemetryLog
 from ftc_jsb.mavlink.vehicle import Link, Tally, Vehicle
 from ftc_jsb.scenario.schema import Scenario
-from ftc_jsb.simulation.commands import CommandQueue, End, Reset
+from ftc_jsb.simulation.commands import CommandQueue, CommandSource, End, Reset
 from ftc_jsb.simulation.flight import Flight
 from ftc_jsb.simulation.fly import Observer
 from ftc_jsb.simulation.pacing import Pacer, PacingError
@@ -67,6 +68,27 @@ class LiveFlight:
         if self.pacer is not None:
             lines.append(pacing_line(self.pacer.error()))
         return lines
+
+
+class LogOnly:
+    """A `Live` that leaves the flight alone and writes its log when it is over."""
+
+    observers: Sequence[Observer] = ()
+    commands: CommandSource | None = None
+
+    def __init__(self, path: Path) -> None:
+        """Args: of the log, which is seen to be writable now."""
+        _opened(path).close()
+        self._path = path
+
+    def flies_again(self, flight: Flight) -> bool:
+        """No."""
+        write_tlog(flight, self._path)
+        return False
+
+    def summary(self) -> list[str]:
+        """Nothing to be said."""
+        return []
 
 
 def pacing_line(error: PacingError) -> str:

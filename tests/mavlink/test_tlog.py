@@ -8,6 +8,7 @@ import pytest
 
 from ftc_jsb.convert import convert
 from ftc_jsb.errors import RecordingError
+from ftc_jsb.simulation.recording import load
 from tests.mavlink.ground import free_port
 from tests.mavlink.programs import BIN, dumped
 
@@ -61,6 +62,23 @@ def test_live_log_and_both_commands(tmp_path):
     assert unknown.returncode == 2
     assert "tlog" in unknown.stderr
     assert "the same to the bit" in run("replay", "o/flight.nc").stdout
+
+
+def test_log_of_a_flight_flat_out_is_that_of_its_recording(tmp_path):
+    command = [
+        BIN / "ftc-jsb",
+        "fly",
+        "paper",
+        "--set",
+        "duration=5",
+        "--tlog",
+        "f.tlog",
+        "--out",
+        "o",
+    ]
+    subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=60, check=True)
+    convert(load(tmp_path / "o" / "flight.nc"), "tlog", tmp_path / "g.tlog")
+    assert (tmp_path / "f.tlog").read_bytes() == (tmp_path / "g.tlog").read_bytes()
 
 
 def test_log_that_cannot_be_written_is_one_sentence(flown, tmp_path):
