@@ -9,6 +9,7 @@ from ftc_jsb.mavlink.live import live_flight
 from ftc_jsb.mavlink.vehicle import Link
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
+from ftc_jsb.simulation.pacing import Pacer
 
 
 class MavlinkCost(NamedTuple):
@@ -21,6 +22,10 @@ class MavlinkCost(NamedTuple):
     pacing_error_max_ms: float
     overruns: int  # samples that began later than one sample after they were due
     samples: int
+    alone_error_median_ms: (
+        float  # the same flight without a vehicle: what the machine itself is late
+    )
+    alone_error_p99_ms: float
 
 
 def measure_mavlink(model: str = "jsbsim", seconds: float = 10.0) -> MavlinkCost:
@@ -49,6 +54,9 @@ def measure_mavlink(model: str = "jsbsim", seconds: float = 10.0) -> MavlinkCost
             mark()
     assert live.pacer is not None
     error = live.pacer.error()
+    pacer = Pacer(scenario.loop.rate, 1.0)
+    fly(scenario, (pacer,))
+    alone = pacer.error()
     wall = since[1] - since[0]
     return MavlinkCost(
         core_share=(spent[1] - spent[0]) / wall,
@@ -58,6 +66,8 @@ def measure_mavlink(model: str = "jsbsim", seconds: float = 10.0) -> MavlinkCost
         pacing_error_max_ms=1e3 * error.largest,
         overruns=error.overruns,
         samples=error.samples,
+        alone_error_median_ms=1e3 * alone.median,
+        alone_error_p99_ms=1e3 * alone.p99,
     )
 
 
