@@ -438,9 +438,9 @@ def _live(
         yield None
         return
     from ftc_jsb.mavlink.endpoint import parse_endpoint
+    from ftc_jsb.mavlink.link import Link
     from ftc_jsb.mavlink.live import LogOnly, live_flight
     from ftc_jsb.mavlink.signing import load_key
-    from ftc_jsb.mavlink.vehicle import Link
 
     if tlog is not None and realtime is None and endpoint is None:
         yield LogOnly(tlog)

@@ -5,8 +5,8 @@ import time
 from typing import NamedTuple
 
 from ftc_jsb.mavlink.endpoint import LOOPBACK, Endpoint
+from ftc_jsb.mavlink.link import Link
 from ftc_jsb.mavlink.live import live_flight
-from ftc_jsb.mavlink.vehicle import Link
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.simulation.pacing import Pacer

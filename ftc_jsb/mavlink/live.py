@@ -7,9 +7,10 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ftc_jsb.errors import LinkError
+from ftc_jsb.mavlink.link import Link, Tally
 from ftc_jsb.mavlink.recorded import write_tlog
 from ftc_jsb.mavlink.tlog import TelemetryLog
-from ftc_jsb.mavlink.vehicle import Link, Tally, Vehicle
+from ftc_jsb.mavlink.vehicle import Vehicle
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.commands import CommandQueue, CommandSource, End, Reset
 from ftc_jsb.simulation.flight import Flight

@@ -92,7 +92,8 @@ class Timetable:
         for message, when in self._due.items():
             if when <= now + TOGETHER:
                 found.append(BY_ID[message])
-                self._due[message] = max(when + self._period[message], now)
+                after = when + self._period[message]
+                self._due[message] = after if after > now else now + self._period[message]
         return found
 
     def next(self) -> float:

@@ -10,17 +10,15 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy.typing as npt
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.answers import Answers
-from ftc_jsb.mavlink.command_protocol import CommandProtocol
-from ftc_jsb.mavlink.encoder import COMPONENT, Encoder
-from ftc_jsb.mavlink.endpoint import Endpoint
+from ftc_jsb.mavlink.conversation import Conversation
+from ftc_jsb.mavlink.encoder import Encoder
 from ftc_jsb.mavlink.events import LONGEST, Watch
-from ftc_jsb.mavlink.parameter_protocol import ParameterProtocol
+from ftc_jsb.mavlink.link import Link, Tally
 from ftc_jsb.mavlink.parameters import Parameters
 from ftc_jsb.mavlink.receiver import Receiver
 from ftc_jsb.mavlink.snapshot import Counters, Observatory, Phase, Snapshot
@@ -36,27 +34,6 @@ LISTEN = 0.002  # [s] that the thread listens at a time ...
 REST = 0.008  # [s] ... before it rests from a flood: a fifth of a core at most
 LOOK = 0.1  # [s] between looks for events
 IDLE = 0.05  # [s] that the thread sleeps at most
-
-
-class Link(NamedTuple):
-    """How the vehicle is reached, and by whom."""
-
-    endpoint: Endpoint | None = None
-    system: int = 1
-    key: bytes | None = None
-    readonly: bool = False
-
-
-class Tally(NamedTuple):
-    """What has gone over the link."""
-
-    sent: int
-    unsent: int
-    received: int
-    refused: int  # broken, unknown or not trusted
-    ignored: int  # understood, but not for us or the link is read-only
-    clamped: int
-    errors: tuple[str, ...]  # of this program; none is expected
 
 
 class Vehicle:
@@ -87,29 +64,7 @@ class Vehicle:
         self._transport: Transport | None = None
         if link.endpoint is not None:
             self._transport = transport(link.endpoint, self._selector)
-        commands, parameters, answers = (
-            CommandProtocol(self),
-            ParameterProtocol(self),
-            Answers(self),
-        )
-        self._commands = commands
-        self._handlers: dict[str, Callable[[Any], None]] = {
-            "COMMAND_LONG": commands.command_long,
-            "COMMAND_INT": commands.command_int,
-            "PARAM_REQUEST_LIST": parameters.param_request_list,
-            "PARAM_REQUEST_READ": parameters.param_request_read,
-            "PARAM_SET": parameters.param_set,
-            "MISSION_REQUEST_LIST": answers.mission_request_list,
-            "MISSION_COUNT": answers.mission_count,
-            "MISSION_REQUEST": answers.mission_request,
-            "MISSION_REQUEST_INT": answers.mission_request,
-            "MISSION_CLEAR_ALL": answers.mission_clear_all,
-            "FILE_TRANSFER_PROTOCOL": answers.file_transfer_protocol,
-            "TIMESYNC": answers.timesync,
-            "PING": answers.ping,
-            "REQUEST_DATA_STREAM": answers.request_data_stream,
-            "SET_MODE": answers.set_mode,
-        }
+        self._conversation = Conversation(self, link, log)
         self._flown: tuple[npt.NDArray[Any], int] | None = None  # recording and row
         self._ended: Phase | None = None
         self._texts: deque[tuple[int, str]] = deque()
@@ -117,7 +72,7 @@ class Vehicle:
         self._looked: tuple[npt.NDArray[Any] | None, int, float] = (None, 0, 0.0)
         self._last: Snapshot | None = None
         self._last_of: tuple[object, ...] = ()
-        self._sent = self._ignored = 0
+        self._sent = 0
         self._errors: list[str] = []
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self._run, name="mavlink", daemon=True)
@@ -133,7 +88,7 @@ class Vehicle:
         """Another flight of the scenario begins."""
         self._flown = self._ended = None
         self.parameters.restart(self.scenario.loop)
-        self._commands.restart()
+        self._conversation.restart()
 
     def ended(self, flight: Flight) -> None:
         """The flight is over; the vehicle stays and says so."""
@@ -165,7 +120,7 @@ class Vehicle:
             self._transport.unsent if self._transport else 0,
             self._receiver.received,
             self._receiver.refused,
-            self._ignored,
+            self._conversation.ignored,
             self._encoder.clamped,
             tuple(self._errors),
         )
@@ -225,16 +180,16 @@ class Vehicle:
                 time.sleep(min(pause, max(rests_until - now, 0.0)) if now < rests_until else pause)
             elif self._selector.select(pause):
                 limit = time.monotonic() + LISTEN
-                self._guarded(lambda limit=limit: self._listen(limit))  # type: ignore[misc]
+                self._guarded(self._listen, limit)
                 if time.monotonic() >= limit:
                     rests_until = time.monotonic() + REST
             self._guarded(self._tell)
         self._guarded(self._look)
 
-    def _guarded(self, work: Callable[[], None]) -> None:
+    def _guarded(self, work: Callable[..., None], *arguments: Any) -> None:
         """A mistake of this program costs a message, not the vehicle; it is told at the end."""
         try:
-            work()
+            work(*arguments)
         except Exception as error:
             if len(self._errors) < 10:
                 self._errors.append(f"{type(error).__name__}: {error}")
@@ -267,24 +222,6 @@ class Vehicle:
             if messages:
                 self._transport.welcome(peer)
             for message in messages:
-                self._guarded(lambda message=message: self.hear(message))  # type: ignore[misc]
+                self._guarded(self._conversation.hear, message)
         for peer in self._transport.gone():
             self._receiver.forget(peer)
-
-    def hear(self, message: Any) -> None:
-        """Act on a message that has come through."""
-        handler = self._handlers.get(message.get_type())
-        if handler is None:
-            return
-        ours = (0, self._link.system)
-        echo = (
-            message.get_srcSystem() == self._link.system and message.get_srcComponent() == COMPONENT
-        )
-        system = getattr(message, "target_system", 0)
-        component = getattr(message, "target_component", 0)
-        if self._link.readonly or echo or system not in ours or component not in (0, COMPONENT):
-            self._ignored += 1
-            return
-        if self._log is not None:
-            self._log.write(bytes(message.get_msgbuf()), time.time())
-        handler(message)

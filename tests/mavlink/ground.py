@@ -10,13 +10,14 @@ from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.mavlink.encoder import signing_time
 from ftc_jsb.mavlink.endpoint import Endpoint
+from ftc_jsb.mavlink.link import Link
 from ftc_jsb.mavlink.live import live_flight
-from ftc_jsb.mavlink.vehicle import Link
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.commands import End
 from ftc_jsb.simulation.fly import fly
 
 HOST = "127.0.0.1"
+OPEN: list[socket.socket] = []  # of stations; closed with the flight that they looked at
 
 
 def free_port() -> int:
@@ -42,6 +43,7 @@ class Ground:
             self.mav.signing.secret_key = key
             self.mav.signing.sign_outgoing = True
             self.mav.signing.timestamp = signing_time()
+        OPEN.append(self.socket)
         self.heard: list = []
         self.silent = False
         self.beat()
@@ -81,7 +83,7 @@ class Ground:
         self.heard += messages
         return messages
 
-    def wait_for(self, kind: str, wanted=lambda message: True, within: float = 5.0):
+    def wait_for(self, kind: str, wanted=lambda message: True, within: float = 20.0):
         """The next message of a kind.
 
         Raises:
@@ -141,4 +143,6 @@ def aloft(
             yield up
         finally:
             up.land()
+            while OPEN:
+                OPEN.pop().close()
     assert live.tally.errors == ()

@@ -90,7 +90,7 @@ def test_failures_by_command_are_gated_idempotent_and_told():
     """Parameters 4 to 7 are NaN from MAVSDK and 0 from MAVProxy; the same twice is one fault."""
     with aloft("model=jsbsim") as up:
         ground = Ground(up.port)
-        ground.wait_for("ATTITUDE", within=10.0)
+        ground.wait_for("ATTITUDE")
         inject = dialect.MAV_CMD_INJECT_FAILURE
         nan = math.nan
         assert ground.ask(inject, MOTOR, SLOW, 1, nan, nan, nan, nan) == dialect.MAV_RESULT_DENIED

@@ -48,7 +48,7 @@ def test_live_log_and_both_commands(tmp_path):
     assert "link: " in flown.stderr
     assert "real time: " in flown.stderr
     attitudes = dumped(tmp_path / "live.tlog", "ATTITUDE")
-    assert len(attitudes) >= 60  # 25 Hz for 3 s, and while the recording is saved
+    assert len(attitudes) >= 30  # 25 Hz for 3 s and more, on a machine that may be busy
     assert dumped(tmp_path / "live.tlog", "STATUSTEXT")[-1].endswith(
         "flight complete, id : 0, chunk_seq : 0}"
     )
