@@ -40,3 +40,17 @@ def test_deadlines_are_absolute_and_overruns_are_counted():
     error = pacer.error()
     assert error.overruns >= 3  # 50 ms are five samples; the first of them has 10 ms to spare
     assert error.largest >= 0.03
+
+
+def test_after_a_suspension_time_starts_anew(monkeypatch):
+    """50 ms late where 20 ms is too much to be made up for: the flight ends that much later."""
+    monkeypatch.setattr("ftc_jsb.simulation.pacing.GIVE_UP", 0.02)
+
+    def slow(record, i):
+        if i == 20:
+            time.sleep(0.05)
+
+    scenario = load_scenario("nominal", ["duration=0.5"])
+    started = time.perf_counter()
+    fly(scenario, observers=[slow, Pacer(scenario.loop.rate, 1.0)])
+    assert time.perf_counter() - started >= 0.5 + 0.03
