@@ -117,7 +117,7 @@ class Aloft:
     def land(self):
         """End the flight; what was flown."""
         self.live.commands.put(End())
-        self.thread.join(20.0)
+        self.thread.join(120.0)
         assert self.flight is not None
         return self.flight
 
@@ -133,12 +133,16 @@ def aloft(
     with live_flight(flown, factor, Link(endpoint, **link), log, 0.0) as live:
         up = Aloft(port, live)
 
+        under_way = threading.Event()
+
         def run():
-            up.flight = fly(flown, live.observers, commands=live.commands)
+            observers = (*live.observers, lambda record, i: under_way.set())
+            up.flight = fly(flown, observers, commands=live.commands)
             live.flies_again(up.flight)
 
         up.thread = threading.Thread(target=run)
         up.thread.start()
+        assert under_way.wait(180.0)  # kernels may have to be compiled first
         try:
             yield up
         finally:

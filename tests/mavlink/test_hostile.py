@@ -107,7 +107,7 @@ def test_hostile_frames_change_nothing(stream, key, monkeypatch):
         frames += [acts.pack(mav)] * 300
     share = PIECES // 3
     kind = "tcpin" if stream else "udpin"
-    factor, duration = (8.0, 600) if PIECES < 50_000 else (1.0, 3000)
+    factor, duration = (8.0, 600) if PIECES < 50_000 else (1.0, 1200)
     with aloft(f"duration={duration}", kind=kind, factor=factor, scenario="paper", key=key) as up:
         ground = Ground(up.port, stream=stream, key=key)
         enemy = ground if stream else Ground(up.port)

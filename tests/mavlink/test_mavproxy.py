@@ -17,9 +17,10 @@ def test_a_minute_with_mavproxy(tmp_path):
     proxy = MavProxy(port, tmp_path)
     try:
         proxy.wait_for("Waiting for heartbeat", 30.0)
-        with vehicle(port, tmp_path, "--set", "duration=100", "--linger", "60"):
+        with vehicle(port, tmp_path, "--set", "duration=300", "--linger", "60"):
             proxy.wait_for("Detected vehicle 1:1", 30.0)
             parameters = proxy.wait_for(r"Received \d+ parameters", 30.0)
+            proxy.wait_for("ARMED", 180.0)  # in flight; kernels may have to be compiled first
             for line in ("param set SYS_FAILURE_EN 1", "param set FAIL_EFF 0.5"):
                 proxy.type(line)
                 proxy.read(2.0)

@@ -20,7 +20,7 @@ def test_a_program_on_mavsdk_sees_commands_and_injects(tmp_path):
     port = free_port()
     with vehicle(port, tmp_path, "--model", "jsbsim", "--linger", "30") as process:
         client = subprocess.run(
-            [sys.executable, CLIENT, str(port)], capture_output=True, text=True, timeout=80, check=False
+            [sys.executable, CLIENT, str(port)], capture_output=True, text=True, timeout=300, check=False
         )  # fmt: skip
         assert client.returncode == 0, client.stderr[-3000:]
         assert process.wait(20.0) == 0, (tmp_path / "fly.log").read_text()

@@ -37,7 +37,7 @@ def test_live_log_and_both_commands(tmp_path):
 
     def run(*arguments):
         return subprocess.run(
-            [BIN / "ftc-jsb", *arguments], cwd=tmp_path, capture_output=True, text=True, timeout=120
+            [BIN / "ftc-jsb", *arguments], cwd=tmp_path, capture_output=True, text=True, timeout=180
         )  # fmt: skip
 
     flown = run(
@@ -76,7 +76,7 @@ def test_log_of_a_flight_flat_out_is_that_of_its_recording(tmp_path):
         "--out",
         "o",
     ]
-    subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=60, check=True)
+    subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=180, check=True)
     convert(load(tmp_path / "o" / "flight.nc"), "tlog", tmp_path / "g.tlog")
     assert (tmp_path / "f.tlog").read_bytes() == (tmp_path / "g.tlog").read_bytes()
 
@@ -86,7 +86,7 @@ def test_log_that_cannot_be_written_is_one_sentence(flown, tmp_path):
         convert(flown("paper"), "tlog", tmp_path / "none" / "flight.tlog")
     result = subprocess.run(
         [BIN / "ftc-jsb", "fly", "paper", "--tlog", "none/live.tlog"],
-        cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False,
+        cwd=tmp_path, capture_output=True, text=True, timeout=180, check=False,
     )  # fmt: skip
     assert result.returncode == 2
     assert "none/live.tlog: cannot be written" in result.stderr
@@ -109,6 +109,6 @@ def test_explorer_opens_the_log(flown, tmp_path):
     )
     result = subprocess.run(
         [sys.executable, "-W", "ignore", "-c", code, path],
-        capture_output=True, text=True, timeout=60, check=True,
+        capture_output=True, text=True, timeout=180, check=True,
     )  # fmt: skip
     assert int(result.stdout.split()[0]) > 5000

@@ -32,7 +32,7 @@ async def timed(name, coroutine):
     seen[f"{name}_s"] = time.monotonic() - started
 
 
-async def first(stream, wanted=lambda value: True, within=8.0):
+async def first(stream, wanted=lambda value: True, within=30.0):
     async def look():
         async for value in stream:
             if wanted(value):
@@ -57,7 +57,7 @@ async def main(port):
     mavsdk = Mavsdk(Configuration.create_with_component_type(ComponentType.GROUND_STATION))
     await mavsdk.add_any_connection(f"udpin://127.0.0.1:{port}")
     started = time.monotonic()
-    system = await mavsdk.first_autopilot(20.0)
+    system = await mavsdk.first_autopilot(60.0)
     seen["discovered"] = system is not None
     seen["discovery_s"] = time.monotonic() - started
     telemetry, param = TelemetryAsync(system), ParamAsync(system)
@@ -67,7 +67,7 @@ async def main(port):
         asyncio.create_task(collect_texts(telemetry)),
         asyncio.create_task(collect_named(direct)),
     ]
-    await first(telemetry.subscribe_in_air(), bool)
+    await first(telemetry.subscribe_in_air(), bool, 180.0)  # kernels may have to be compiled
     seen["in_air"] = True
     await first(telemetry.subscribe_health_all_ok(), bool)
     seen["health_all_ok"] = True
