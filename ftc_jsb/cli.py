@@ -4,7 +4,8 @@ import json
 import shlex
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, cast
 
@@ -121,11 +122,14 @@ def fly(
         from ftc_jsb.six_dof.flightgear import output_directive, viewer
 
         shown = output_directive(viewer(flightgear, flown))
-        watch = _paced(watch, flown.loop.rate)
+        if live["endpoint"] is None and live["realtime"] is None:
+            watch = _paced(watch, flown.loop.rate)
+        else:
+            live["realtime"] = live["realtime"] or 1.0
     with output_folder(out, flown.name, force) as folder:
         _announce(flown)
-        with _live(flown, **live) as beside:
-            result = fly_and_save(flown, folder, _progress_for(flown, as_json), beside)
+        with shown as output, _live(flown, **live) as beside:
+            result = fly_and_save(flown, folder, watch, beside, output)
     if beside is not None:
         for line in beside.summary():
             click.echo(f"ftc-jsb: {line}", err=True)
@@ -461,6 +465,18 @@ def _live(
         linger = 1e9 if endpoint and sys.stderr.isatty() else 0.0
     with live_flight(scenario, realtime, link, tlog, linger) as beside:
         yield beside
+
+
+def _paced(watch: Any, rate: float) -> Any:
+    """The same observers, and one that holds the flight back to real time."""
+    from ftc_jsb.simulation.pacing import Pacer
+
+    @contextmanager
+    def paced(label: str) -> Iterator[list[Any]]:
+        with watch(label) as observers:
+            yield [*observers, Pacer(rate, 1.0)]
+
+    return paced
 
 
 def _write_report(flights: dict[str, Any], folder: Path, as_json: bool) -> None:

@@ -40,6 +40,7 @@ def fly(
     observers: Sequence[Observer] = (),
     plant: Plant | None = None,
     commands: CommandSource | None = None,
+    output: Path | None = None,
 ) -> Flight:
     """Fly `scenario` with its model and loop.
 
@@ -49,6 +50,7 @@ def fly(
             an attribute `coarse` that is true may be called every STRETCH samples instead.
         plant: in place of the model's own (a user's aircraft, an independent integration).
         commands: from a ground station or a recording, applied between samples; none before row 1.
+        output: JSBSim's output directive (`six_dof.flightgear`), by its absolute path.
 
     Returns:
         The flight, complete or up to where it departed, was ended or was interrupted.

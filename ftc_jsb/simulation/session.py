@@ -40,20 +40,32 @@ class Live(Protocol):
 
 
 def fly_and_save(
-    scenario: Scenario, folder: Path, watch: Watch, live: Live | None = None
+    scenario: Scenario,
+    folder: Path,
+    watch: Watch,
+    live: Live | None = None,
+    output: Path | None = None,
 ) -> Result:
     """Fly; write `flight.nc` and `metrics.json`, also of a flight that did not end well.
 
     A live flight may be flown again; the earlier ones are then `flight-1.nc`, `flight-2.nc`, ...
+
+    Args:
+        scenario: as loaded.
+        folder: exists.
+        watch: gives the observers.
+        live: real time and ground stations.
+        output: JSBSim's output directive.
     """
     path = folder / "flight.nc"
     flown = 0
     while True:
         with watch(scenario.model) as observers:
             if live is None:
-                flight = fly(scenario, observers)
+                flight = fly(scenario, observers, output=output)
             else:
-                flight = fly(scenario, (*observers, *live.observers), commands=live.commands)
+                beside = (*observers, *live.observers)
+                flight = fly(scenario, beside, commands=live.commands, output=output)
         if flown:
             path.replace(folder / f"flight-{flown}.nc")
         save(flight, path)
