@@ -3,13 +3,14 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+STATIONS := $(VENV)/.stations
 
 .PHONY: demo test validate hostile inner-loops lint format golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
 
-test: lint  ## Every check
+test: lint $(STATIONS)  ## Every check
 	$(BIN)/pytest -n 2
 
 validate: $(READY)  ## Long flights and many flights; writes docs/validation.md
@@ -39,6 +40,10 @@ $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade pip --constraint constraints.txt
 	$(BIN)/python -m pip install --quiet --editable ".[dev]" --constraint constraints.txt
+	touch $@
+
+$(STATIONS): $(READY)
+	$(BIN)/python -m pip install --quiet --editable ".[dev,stations]" --constraint constraints.txt
 	touch $@
 
 clean:
