@@ -19,7 +19,16 @@ import platformdirs
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
-_WITHOUT_KERNELS = {"cli.py", "metrics.py", "report", "resources.py", "scenario", "typed_file.py"}
+_WITHOUT_KERNELS = {
+    "cli.py",
+    "convert",
+    "mavlink",
+    "metrics.py",
+    "report",
+    "resources.py",
+    "scenario",
+    "typed_file.py",
+}
 
 
 @cache
