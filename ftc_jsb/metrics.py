@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.disturbance.faults import fault_steps
+from ftc_jsb.estimation.health import estimator_health
 from ftc_jsb.scenario.limits import broken_limits, tracking_errors
 from ftc_jsb.scenario.schema import Channel
 from ftc_jsb.simulation.flight import Flight
@@ -36,6 +37,7 @@ def flight_metrics(flight: Flight) -> Metrics:
             )
             for channel in flight.scenario.loop.estimator.channels
         },
+        **estimator_health(record),
         **_effort(record),
         "real_time_factor": flight.real_time_factor,
         "limits_broken": [
@@ -138,21 +140,29 @@ def _detection(record: npt.NDArray[Any]) -> Metrics:
 def _effort(record: npt.NDArray[Any]) -> Metrics:
     saturated = (record["thrust_saturated"] > 0.5) | (record["load_factor_saturated"] > 0.5)
     duration = record["time"][-1] - record["time"][0]
-    travel = np.nansum(np.abs(np.diff(record["thrust_cmd"])))
+    part_saturated = _part(saturated, record["thrust_saturated"])
     return {
-        "saturated_fraction": _part(saturated, record["thrust_saturated"]),
+        "saturated_fraction": part_saturated,
+        "saturated_time_s": None if part_saturated is None else part_saturated * float(duration),
         "outside_identified_fraction": _part(
             record["outside_range"] > 0.5, record["outside_range"]
         ),
         "peak_climb_given_up_deg": _peak(np.degrees(record["climb_given_up"])),
         "peak_turn_given_up_deg_s": _peak(np.degrees(record["turn_given_up"])),
-        "thrust_travel_n_per_s": float(travel / duration) if duration > 0.0 else 0.0,
+        "thrust_travel_n_per_s": _travel(record["thrust_cmd"], duration),
+        "load_factor_travel_per_s": _travel(record["load_factor_cmd"], duration),
+        "bank_travel_deg_per_s": _travel(np.degrees(record["bank_angle_cmd"]), duration),
         "peak_thrust_n": _peak(record["thrust"]),
         "peak_load_factor": _peak(record["load_factor"]),
         "peak_bank_deg": _peak(np.degrees(record["bank_angle"])),
         "peak_alpha_deg": _peak(np.degrees(record["alpha"])),
         "peak_sideslip_deg": _peak(np.degrees(record["sideslip"])),
     }
+
+
+def _travel(command: npt.NDArray[Any], duration: float) -> float:
+    """Mean absolute rate of a command: the way it goes, up and down, over the flight's time [s]."""
+    return float(np.nansum(np.abs(np.diff(command))) / duration) if duration > 0.0 else 0.0
 
 
 def _part(where: npt.NDArray[np.bool_], known: npt.NDArray[np.float64]) -> float | None:

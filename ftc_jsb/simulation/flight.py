@@ -15,6 +15,13 @@ class Outcome(NamedTuple):
     reason: str
 
 
+class Provenance(NamedTuple):
+    """With what and where a flight was flown."""
+
+    versions: dict[str, str]  # by package
+    machine: str
+
+
 class Flight(NamedTuple):
     """A flown scenario."""
 
@@ -22,6 +29,7 @@ class Flight(NamedTuple):
     record: npt.NDArray[Any]  # (rows,) of `variables.ROW`
     outcome: Outcome
     real_time_factor: float | None  # None for a recording that was read back
+    provenance: Provenance | None = None  # of a recording that was read back; None: flown here
 
     @property
     def label(self) -> str:
