@@ -13,7 +13,9 @@ from ftc_jsb.point_mass.model import at_condition
 Array = npt.NDArray[np.float64]
 
 
-def model_residuals(model: npt.NDArray[Any], record: npt.NDArray[Any]) -> tuple[Array, Array, Array]:
+def model_residuals(
+    model: npt.NDArray[Any], record: npt.NDArray[Any]
+) -> tuple[Array, Array, Array]:
     """Drag by the polar of the law, drag by the estimator's measured angles, and thrust: [N].
 
     An error of the drag over the thrust is an error of the estimated effectiveness. The thrust
@@ -28,7 +30,13 @@ def model_residuals(model: npt.NDArray[Any], record: npt.NDArray[Any]) -> tuple[
     """
     polar, measured = np.full(record.size, np.nan), np.full(record.size, np.nan)
     _drag(model, record, polar, measured)
-    thrust = record["effectiveness_thrust"] * record["thrust_model"] - record["thrust"]
+    if model[0]["spool_up"][0] > 0.0:  # what acted until the row
+        effectiveness = np.concatenate(
+            [record["effectiveness_thrust"][:1], record["effectiveness_thrust"][:-1]]
+        )
+        thrust = effectiveness * record["thrust_model"] - record["thrust"]
+    else:  # an engine without a spool answers in the same row
+        thrust = record["effectiveness_thrust"] * record["thrust_cmd"] - record["thrust"]
     return polar - record["drag"], measured - record["drag"], thrust
 
 

@@ -32,7 +32,7 @@ class Row(NamedTuple):
     lines: tuple[Line, ...]
     bounds: tuple[float, ...] = ()  # constants that are drawn as lines
     span: tuple[float, float] | None = None  # of the axis at first; None = what is there
-    log: bool = False
+    decades: int = 0  # between ticks of a logarithmic axis; 0 = linear
 
 
 class Chart(NamedTuple):
@@ -62,7 +62,9 @@ def charts(series: dict[str, Series]) -> list[Chart]:
 
 def as_data(chart: Chart) -> dict[str, Any]:
     """A chart as the script reads it."""
-    rows = [{**row._asdict(), "lines": [line._asdict() for line in row.lines]} for row in chart.rows]
+    rows = [
+        {**row._asdict(), "lines": [line._asdict() for line in row.lines]} for row in chart.rows
+    ]
     return {"name": chart.name, "title": chart.title, "rows": rows}
 
 
@@ -70,7 +72,7 @@ def _all_charts() -> list[Chart]:
     return [
         Chart(
             "states", "flights", "Airspeed, flight path, heading",
-            "Thin dark line: reference, output of the command filter.",
+            "Thin dark line: reference, output of the command filter. Dotted: the fault.",
             (
                 Row("Airspeed [m/s]", (_line("airspeed"), _once("airspeed_ref"))),
                 Row("Flight path [deg]", (_line("flight_path"), _once("flight_path_ref"))),
@@ -85,6 +87,7 @@ def _all_charts() -> list[Chart]:
                 Row("Heading [deg]", (_line("error_heading_deg"),)),
             ),
         ),
+        *(_estimate(channel) for channel in CHANNELS),
         Chart(
             "controls", "flights", "Thrust command, load factor, bank",
             "Commanded thrust is what a healthy engine would deliver.",
@@ -94,7 +97,6 @@ def _all_charts() -> list[Chart]:
                 Row("Bank [deg]", (_line("bank_angle_flown"),)),
             ),
         ),
-        *(_estimate(channel) for channel in CHANNELS),
         Chart(
             "trajectory", "flights", "Trajectory",
             "Dot: the fault sets in. Ring: the time cursor.",
@@ -128,7 +130,7 @@ def _all_charts() -> list[Chart]:
             tuple(
                 Row(title, (_line(f"residual_{name}"),))
                 for title, name in zip(
-                    ("Drag of law [kN]", "Drag of estimator [kN]", "Thrust [kN]"),
+                    ("Law's drag [kN]", "Filter's drag [kN]", "Thrust [kN]"),
                     Residuals._fields,
                     strict=True,
                 )
@@ -144,7 +146,7 @@ def _all_charts() -> list[Chart]:
                         MEASURED, ("Airspeed [σ]", "Flight path [σ]", "Heading [σ]"), strict=True
                     )
                 ),
-                Row("NIS [-]", (_line("nis"),), (NIS_BOUND,), log=True),
+                Row("NIS [-]", (_line("nis"),), (NIS_BOUND,), decades=3),
             ),
         ),
         Chart(
@@ -160,7 +162,7 @@ def _all_charts() -> list[Chart]:
                             _line(f"effectiveness_{channel}_deviation"),
                             Line(MARK, (f"effectiveness_{channel}_lost",)),
                         ),
-                        log=True,
+                        decades=1,
                     )
                     for channel in CHANNELS
                 ),

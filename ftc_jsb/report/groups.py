@@ -14,7 +14,7 @@ class ScenarioDifference(NamedTuple):
     """A key of the scenario file that is not the same in every group."""
 
     key: str
-    values: list[str]  # one a group; "–" where it is not set
+    values: list[str]  # one a group; a dash where it is not set
 
 
 def by_scenario(flights: Flights) -> dict[str, dict[str, Flight]]:

@@ -32,7 +32,13 @@ NUMBERS = (
     Number("detection_delay_s", "Detection delay", "s", 2, True),
     Number("false_alarms", "False alarms", "", 0, True),
     Number(
-        "thrust_travel_n_per_s", "Thrust command, mean rate", "kN/s", 2, True, 1e-3, "Control effort"
+        "thrust_travel_n_per_s",
+        "Thrust command, mean rate",
+        "kN/s",
+        2,
+        True,
+        1e-3,
+        "Control effort",
     ),
     Number("load_factor_travel_per_s", "Load factor command, mean rate", "1/s", 3, True),
     Number("bank_travel_deg_per_s", "Bank command, mean rate", "deg/s", 2, True),
@@ -64,11 +70,17 @@ def shown(number: Number, metrics: Metrics) -> str:
     return written(None if value is None else number.scale * value, number.digits)
 
 
-def written(value: Any, digits: int) -> str:
-    """A number with so many decimals, or how small it is where that would say nothing."""
+def written(value: Any, digits: int, rounded: bool = False) -> str:
+    """A number with so many decimals, or how small it is where that would say nothing.
+
+    Args:
+        value: None is unknown, a dash.
+        digits: after the point.
+        rounded: let a small number be written as zero.
+    """
     if value is None:
         return "–"
     text = f"{value:.{digits}f}"
-    if float(text) == 0.0 and value != 0.0:
+    if float(text) == 0.0 and value != 0.0 and not rounded:
         return f"{value:.1e}"
     return text

@@ -15,6 +15,7 @@ from ftc_jsb.report.figures.draw import draw_all
 from ftc_jsb.report.figures.style import FORMATS
 from ftc_jsb.report.findings import Findings, Flights, find
 from ftc_jsb.report.groups import by_scenario, plain, scenario_differences
+from ftc_jsb.report.quote import Quote, quote
 from ftc_jsb.report.result_table import result_table
 from ftc_jsb.report.series import Series, flight_series
 from ftc_jsb.report.summary import first_screen
@@ -88,10 +89,7 @@ def _contents(
         "model_table": tables.model_table(flights, document, titles),
         "estimator_table": tables.estimator_table(flights, document, titles),
         "stability_table": tables.stability_table(flights, document, titles),
-        "samples_per_point": [
-            (titles[label], tables.quote(document, ("samples_per_point", label), 0))
-            for label in flights
-        ],
+        "samples_per_point": _samples_per_point(document, titles),
         "charts": drawn,
         "flight_chips": _chips(flights, titles),
         "data": _data(flights, titles, series, drawn),
@@ -101,6 +99,17 @@ def _contents(
         ],
         "made": _made(flights),
     }
+
+
+def _samples_per_point(document: dict[str, Any], titles: dict[str, str]) -> list[tuple[Quote, str]]:
+    """How much the charts are thinned, and which flights by so much."""
+    by_every: dict[int, list[str]] = {}
+    for label, every in document["samples_per_point"].items():
+        by_every.setdefault(every, []).append(label)
+    return [
+        (quote(document, ("samples_per_point", labels[0]), 0), "; ".join(titles[k] for k in labels))
+        for labels in by_every.values()
+    ]
 
 
 def _chips(flights: Flights, titles: dict[str, str]) -> list[dict[str, Any]]:

@@ -18,23 +18,23 @@ class Quote(NamedTuple):
     at: str  # JSON pointer (RFC 6901)
     scale: float  # from metrics.json to what is shown
 
-    def __html__(self) -> str:
+    def __html__(self) -> markupsafe.Markup:
         """The number in a `data` element that says where it is in metrics.json."""
         if self.value is None:
-            return "–"
-        value = json.dumps(self.value)
-        return str(
-            markupsafe.Markup('<data value="{}" data-at="{}" data-scale="{}">{}</data>').format(
-                value, self.at, repr(self.scale), self.text
-            )
+            return markupsafe.Markup("–")
+        return markupsafe.Markup('<data value="{}" data-at="{}" data-scale="{}">{}</data>').format(
+            json.dumps(self.value), self.at, repr(self.scale), self.text
         )
 
 
-def quote(document: dict[str, Any], path: Path, digits: int, scale: float = 1.0) -> Quote:
+def quote(
+    document: dict[str, Any], path: Path, digits: int, scale: float = 1.0, rounded: bool = False
+) -> Quote:
     """A number of the document; a dash where it is null or there is none."""
     value: Any = document
     for key in path:
         if value is not None:
             value = value[key] if isinstance(key, int) else value.get(key)
     at = "".join(f"/{str(key).replace('~', '~0').replace('/', '~1')}" for key in path)
-    return Quote(written(None if value is None else scale * value, digits), value, at, scale)
+    text = written(None if value is None else scale * value, digits, rounded)
+    return Quote(text, value, at, scale)

@@ -30,10 +30,17 @@ AXES = (
 
 
 def command_and_answer(flight: Flight, axis: Axis) -> tuple[Array, Array]:
-    """(rows,) each, in the axis' unit: the command times the true effectiveness, and what came of it."""
+    """(rows,) each, in the axis' unit: command times true effectiveness, and what came of it.
+
+    A command acts from its own row to the next, so that the row after shows what it did; but an aircraft
+    that answers at once (the paper's) has the answer in the same row.
+    """
     record = flight.record
     command = record[f"{axis.name}_cmd"] * record[f"effectiveness_{axis.name}"]
-    return axis.factor * command, axis.factor * record[axis.name]
+    answer = record[axis.name]
+    if not np.array_equal(command, answer, equal_nan=True):
+        command = np.concatenate([command[:1], command[:-1]])
+    return axis.factor * command, axis.factor * answer
 
 
 def response_metrics(flight: Flight) -> dict[str, Any]:

@@ -35,7 +35,7 @@ class Head(NamedTuple):
 class Cell(NamedTuple):
     """A number, and whether it is the best or the worst of its row."""
 
-    number: Quote
+    number: Quote | str
     mark: str  # "", "best", "worst", "ratio"
 
 
@@ -60,7 +60,9 @@ class Table(NamedTuple):
 
 def result_table(flights: Flights, document: Document) -> Table:
     """Flights by scenario and model, in the order flown."""
-    scenarios, models, columns = [], [], []
+    scenarios: list[Head] = []
+    models: list[Head] = []
+    columns: list[Column] = []
     for name, members in by_scenario(flights).items():
         before = len(columns)
         by_model: dict[str, list[str]] = {}
@@ -69,7 +71,7 @@ def result_table(flights: Flights, document: Document) -> Table:
         for title, labels in by_model.items():
             added = [Column(label, -1, loop_title(flights[label].scenario)) for label in labels]
             added += [
-                Column("", index, "without : with")
+                Column("", index, "ratio")
                 for index, pair in enumerate(document["with_and_without"])
                 if pair["with_ftc"] in labels
             ]
@@ -97,7 +99,8 @@ def _cell(number: Number, column: Column, marks: dict[str, str], document: Docum
         found = quote(document, path, number.digits, number.scale)
         return Cell(found, marks.get(column.label, ""))
     path_of_ratio = ("with_and_without", column.ratio, "ratio", number.key)
-    return Cell(quote(document, path_of_ratio, 2), "ratio")
+    ratio = quote(document, path_of_ratio, 2)
+    return Cell("" if ratio.value is None else ratio, "ratio")
 
 
 def _marks(number: Number, flights: Flights, metrics: dict[str, Any]) -> dict[str, str]:

@@ -100,7 +100,7 @@ def _tolerated(label: str, members: Flights, document: Document) -> Answer:
         if pair["with_ftc"] != label:
             continue
         other = pair["without_ftc"]
-        sentence += Markup(". Without FTC {}, {} m/s, {}\u202f×").format(
+        sentence += Markup(". Without FTC: {}, {} m/s, {} times as much").format(
             verdict(document, other),
             quote(document, ("flights", other, "rmse_airspeed_mps"), 2),
             quote(document, ("with_and_without", index, "ratio", "rmse_airspeed_mps"), 1),

@@ -38,7 +38,7 @@ def difference_tables(flights: Flights, document: Document, titles: dict[str, st
             place: Path = ("validity", index, "variables", variable.key)
             cells = [quote(document, (*place, key), 3) for key in ("rms", "peak", "theil")]
             cells += [
-                quote(document, (*place, key), 0, PERCENT)
+                quote(document, (*place, key), 0, PERCENT, rounded=True)
                 for key in ("bias", "variance", "covariance")
             ]
             unit = f" [{variable.unit}]" if variable.unit else ""
@@ -85,17 +85,12 @@ def estimator_table(flights: Flights, document: Document, titles: dict[str, str]
     for label in flights:
         at = ("flights", label)
         keys = ["nis_inside_fraction", *(f"innovation_{name}_inside_fraction" for name in MEASURED)]
-        cells: list[Quote | Markup | str] = [
-            _percent(quote(document, (*at, key), 1, PERCENT)) for key in keys
-        ]
+        cells: list[Quote | Markup | str] = [_percent(document, (*at, key)) for key in keys]
         peaks = [f"innovation_{name}_peak_sigmas" for name in MEASURED]
         largest = max(peaks, key=lambda key: document["flights"][label][key] or 0.0)
         cells.append(quote(document, (*at, largest), 1))
-        cells.append(
-            _percent(quote(document, (*at, "effectiveness_thrust_inside_fraction"), 1, PERCENT))
-        )
-        hidden = (*at, "unobservable_fraction", "thrust")
-        cells.append(_percent(quote(document, hidden, 1, PERCENT)))
+        cells.append(_percent(document, (*at, "effectiveness_thrust_inside_fraction")))
+        cells.append(_percent(document, (*at, "unobservable_fraction", "thrust")))
         rows.append((titles[label], cells))
     return Table("", "Flight", head, rows)
 
@@ -131,5 +126,6 @@ def flight_titles(flights: Flights) -> dict[str, str]:
     }
 
 
-def _percent(number: Quote) -> Quote | Markup:
-    return number if number.value is None else Markup("{}\u202f%").format(number)
+def _percent(document: Document, path: Path) -> Markup:
+    number = quote(document, path, 1, PERCENT, rounded=True)
+    return Markup("–") if number.value is None else Markup("{}\u202f%").format(number)

@@ -24,7 +24,7 @@ def model_title(scenario: Scenario) -> str:
     if scenario.model == "paper":
         return "Point mass (paper)"
     if scenario.model == "identified":
-        return f"Point mass ({aircraft_title(scenario)})"
+        return f"Point mass (identified {aircraft_title(scenario)})"
     stock = ", stock controls" if scenario.aircraft.flight_control == "stock" else ""
     return f"JSBSim {aircraft_title(scenario)}{stock}"
 

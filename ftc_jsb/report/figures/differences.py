@@ -15,8 +15,8 @@ from ftc_jsb.simulation.flight import Flight
 def differences(flights: Flights) -> Figure | None:
     """A column for each point mass, a row for each variable; None without both models."""
     columns: dict[str, list[tuple[Flight, Flight]]] = {}
-    for one, other in model_pairs(flights):
-        point_mass, six_dof = flights[one], flights[other]
+    for label, partner in model_pairs(flights):
+        point_mass, six_dof = flights[label], flights[partner]
         columns.setdefault(model_title(point_mass.scenario), []).append((point_mass, six_dof))
     if not columns:
         return None
@@ -35,7 +35,7 @@ def differences(flights: Flights) -> Figure | None:
                     step = max(time.size // POINTS, 1)
                     style = styles[loop_title(point_mass.scenario)]
                     axes.plot(time[::step], (one - other)[::step], **style)
-                mark_faults(axes, couples[0][0], named=row == 0)
+                mark_faults(axes, couples[0][0])
                 if column == 0:
                     axes.set_ylabel(f"{variable.title}\n[{variable.unit or '-'}]")
             grid[-1, column].set_xlabel("Time [s]")

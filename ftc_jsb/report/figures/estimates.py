@@ -51,7 +51,7 @@ def estimates(flights: Flights, channel: Channel = "thrust") -> Figure:
                 )
                 lower.plot(time, estimate - truth, **style)
             for axes in (upper, lower):
-                mark_faults(axes, members[0], named=axes is upper)
+                mark_faults(axes, members[0])
                 lost = _mark_unobservable(axes, members[0], channel) or lost
             lower.set_xlabel("Time [s]")
         grid[0, 0].set_ylabel(f"{CHANNEL_TITLES[channel]} effectiveness [-]")

@@ -48,7 +48,7 @@ def panels(flights: Flights, rows: tuple[Row, ...], reference: bool) -> Figure:
                 if reference:
                     record = thinned(members[0].record)
                     axes.plot(record["time"], row.convert(record[f"{row.name}_ref"]), **REFERENCE)
-                mark_faults(axes, members[0], named=number == 0)
+                mark_faults(axes, members[0])
                 if column == 0:
                     axes.set_ylabel(row.label)
             grid[-1, column].set_xlabel("Time [s]")
@@ -77,21 +77,19 @@ def loop_styles(flights: Flights) -> dict[str, dict[str, Any]]:
     return {title: STYLES[number % len(STYLES)] for number, title in enumerate(titles)}
 
 
-def mark_faults(axes: Axes, flight: Flight, named: bool = False) -> None:
-    """Dotted lines where the thrust effectiveness steps; the first is named at its foot."""
+def mark_faults(axes: Axes, flight: Flight) -> None:
+    """Dotted lines where the thrust effectiveness steps."""
     steps = fault_steps(flight.record["effectiveness_thrust"], flight.scenario)[:MOST_FAULTS]
-    for number, step in enumerate(steps):
-        time = flight.record["time"][step]
+    for time in flight.record["time"][steps]:
         axes.axvline(time, **FAULT)
-        if named and number == 0:
-            axes.annotate(
-                "fault", (time, 0.0), xycoords=("data", "axes fraction"), xytext=(2, 2),
-                textcoords="offset points", fontsize=6.5, color=FAULT["color"],
-            )  # fmt: skip
 
 
 def legend(
-    figure: Figure, flights: Flights, reference: str | None = None, unobservable: bool = False
+    figure: Figure,
+    flights: Flights,
+    reference: str | None = None,
+    unobservable: bool = False,
+    faults: bool = True,
 ) -> None:
     """A line for each loop below the figure, and what else is drawn."""
     styles = loop_styles(flights)
@@ -100,6 +98,8 @@ def legend(
     }
     if reference:
         entries[reference] = mpl.lines.Line2D([], [], **REFERENCE)
+    if faults and any(_has_fault(flight) for flight in flights.values()):
+        entries["fault"] = mpl.lines.Line2D([], [], **FAULT)
     if unobservable:
         entries["not observable here"] = mpl.patches.Patch(**UNOBSERVABLE)
     narrow = figure.get_figwidth() < 5.0  # [in]
@@ -107,6 +107,10 @@ def legend(
         list(entries.values()), list(entries), loc="outside lower center",
         ncols=min(len(entries), 2 if narrow and len(entries) > 3 else 5), columnspacing=1.0, handlelength=1.8,
     )  # fmt: skip
+
+
+def _has_fault(flight: Flight) -> bool:
+    return bool(fault_steps(flight.record["effectiveness_thrust"], flight.scenario).size)
 
 
 def thinned(record: npt.NDArray[Any]) -> npt.NDArray[Any]:

@@ -32,14 +32,15 @@ def trajectories(flights: Flights) -> Figure:
             head_column(axes, title, len(columns))
             axes.set_xlabel("East [km]", labelpad=-6)
             axes.set_ylabel("North [km]", labelpad=-4)
-            axes.set_zlabel("Altitude [km]", labelpad=-4)
+            axes.set_zlabel("Altitude [km]", labelpad=-3)
             axes.tick_params(pad=-3, labelsize=6.5)
-            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=0.8)
+            axes.tick_params(axis="z", pad=0)
+            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=1.05)
             axes.view_init(elev=24, azim=-60)
             axes.xaxis.set_major_locator(mpl.ticker.MaxNLocator(4))
             axes.yaxis.set_major_locator(mpl.ticker.MaxNLocator(5))
             axes.zaxis.set_major_locator(mpl.ticker.MaxNLocator(4))
-        legend(figure, flights)
+        legend(figure, flights, faults=False)
     return figure
 
 

@@ -92,10 +92,10 @@
       xaxis: axis({ anchor: axisName(rows - 1), title: { text: "Time [s]", standoff: 6 }, range: [...shown.window], hoverformat: ".2f" }),
     };
     chart.rows.forEach((row, i) => {
-      const span = row.span && (row.log ? row.span.map(Math.log10) : row.span);
+      const span = row.span && (row.decades ? row.span.map(Math.log10) : row.span);
       layout[i === 0 ? "yaxis" : `yaxis${i + 1}`] = axis({
-        domain: [1 - (i + 1) / rows + (i === rows - 1 ? 0 : gap), 1 - i / rows], anchor: "x", type: row.log ? "log" : "linear",
-        title: { text: row.label, standoff: 4, font: { size: 11 } }, nticks: 5, exponentformat: "power",
+        domain: [1 - (i + 1) / rows + (i === rows - 1 ? 0 : gap), 1 - i / rows], anchor: "x", type: row.decades ? "log" : "linear", ...(row.decades ? { dtick: row.decades } : { nticks: 5 }),
+        title: { text: row.label, standoff: 4, font: { size: 11 } }, exponentformat: "power",
         ...(span ? { range: span, autorange: false } : {}),
       });
       const bound = { type: "line", xref: "paper", x0: 0, x1: 1, yref: axisName(i), line: { color: colour("soft"), width: 1.2, dash: "dash" } };
@@ -118,7 +118,7 @@
 
   function eye(degrees) {
     const angle = (degrees * Math.PI) / 180;
-    return { x: 1.75 * Math.cos(angle), y: 1.75 * Math.sin(angle), z: 0.9 };
+    return { x: 2.1 * Math.cos(angle), y: 2.1 * Math.sin(angle), z: 1.0 };
   }
 
   function spaceFigure(chart) {
@@ -152,7 +152,7 @@
         ...paper(440), margin: { l: 0, r: 0, t: 0, b: 0 }, showlegend: false,
         scene: {
           xaxis: plain("East [km]"), yaxis: plain("North [km]"), zaxis: plain("Altitude [km]"), ...scale,
-          camera: { eye: eye(Number(byId("turn").value)) },
+          camera: { center: { x: 0, y: 0, z: -0.15 }, eye: eye(Number(byId("turn").value)) },
         },
       },
     };
