@@ -29,7 +29,7 @@ def tracking(flights: Flights) -> Figure:
 def controls(flights: Flights) -> Figure:
     """Figure 2: commanded thrust, and load factor and bank angle as flown."""
     rows = (
-        Row("thrust_cmd", "Thrust command [kN]", kilo),
+        Row("thrust_cmd", "Thrust cmd. [kN]", kilo),
         Row("load_factor", "Load factor [-]", same),
         Row("bank_angle", "Bank angle [deg]", np.degrees),
     )

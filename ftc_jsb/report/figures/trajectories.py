@@ -35,7 +35,7 @@ def trajectories(flights: Flights) -> Figure:
             axes.set_zlabel("Altitude [km]", labelpad=-3)
             axes.tick_params(pad=-3, labelsize=6.5)
             axes.tick_params(axis="z", pad=0)
-            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=1.05)
+            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=1.05 if len(columns) == 1 else 0.85)
             axes.view_init(elev=24, azim=-60)
             axes.xaxis.set_major_locator(mpl.ticker.MaxNLocator(4))
             axes.yaxis.set_major_locator(mpl.ticker.MaxNLocator(5))
