@@ -9,7 +9,8 @@ Array = npt.NDArray[np.float64]
 
 NIS_BOUND = 7.815  # 95 % of chi-squared with three degrees of freedom lie below
 SIGMAS = 2.0  # 95 % of a normal variable lie within
-MEASURED = ("airspeed", "flight_path_angle", "heading")
+MEASURED = ("airspeed", "flight_path_angle", "heading")  # what the NIS is of
+ACCELERATION = "acceleration"  # of the accelerometers, where the filter has them
 
 
 def whitened(record: npt.NDArray[Any], name: str) -> Array:
@@ -29,7 +30,7 @@ def estimator_health(record: npt.NDArray[Any]) -> dict[str, float | None]:
         "nis_mean": _mean(nis),
         "nis_inside_fraction": _part(nis <= NIS_BOUND, nis),
     }
-    for name in MEASURED:
+    for name in (*MEASURED, ACCELERATION):
         value = np.abs(whitened(record, name))
         found[f"innovation_{name}_inside_fraction"] = _part(value <= SIGMAS, value)
         finite = value[np.isfinite(value)]

@@ -2,13 +2,13 @@
 
 from typing import Any, NamedTuple
 
-from ftc_jsb.disturbance.faults import CHANNELS
-from ftc_jsb.estimation.health import MEASURED, NIS_BOUND, SIGMAS
+from ftc_jsb.estimation.health import ACCELERATION, MEASURED, NIS_BOUND, SIGMAS
 from ftc_jsb.report.residuals import Residuals
 from ftc_jsb.report.response import AXES
 from ftc_jsb.report.series import Series
 from ftc_jsb.report.validity import MOTION
 from ftc_jsb.report.words import CHANNEL_TITLES
+from ftc_jsb.scenario.schema import CHANNELS
 
 ONCE = "reference"  # drawn once for a scenario, in ink
 LINE = "line"  # in the flight's colour and dash
@@ -143,7 +143,9 @@ def _all_charts() -> list[Chart]:
                 *(
                     Row(title, (_line(f"innovation_{name}"),), (-SIGMAS, SIGMAS), (-5.0, 5.0))
                     for name, title in zip(
-                        MEASURED, ("Airspeed [σ]", "Flight path [σ]", "Heading [σ]"), strict=True
+                        (*MEASURED, ACCELERATION),
+                        ("Airspeed [σ]", "Flight path [σ]", "Heading [σ]", "Acceleration [σ]"),
+                        strict=True,
                     )
                 ),
                 Row("NIS [-]", (_line("nis"),), (NIS_BOUND,), decades=3),

@@ -15,6 +15,7 @@ from ftc_jsb.report.figures.draw import draw_all
 from ftc_jsb.report.figures.style import FORMATS
 from ftc_jsb.report.findings import Findings, Flights, find
 from ftc_jsb.report.groups import by_scenario, plain, scenario_differences
+from ftc_jsb.report.marks import fault_times
 from ftc_jsb.report.quote import Quote, quote
 from ftc_jsb.report.result_table import result_table
 from ftc_jsb.report.series import Series, flight_series
@@ -138,21 +139,12 @@ def _data(
         for label in members
     }
     entries = [
-        {**chip, "group": groups[chip["label"]], "faults": _faults(flights[chip["label"]])}
+        {**chip, "group": groups[chip["label"]], "faults": fault_times(flights[chip["label"]])}
         | {"columns": series[chip["label"]].columns}
         for chip in _chips(flights, titles)
     ]
     text = json.dumps({"flights": entries, "charts": [as_data(chart) for chart in drawn]})
     return markupsafe.Markup(text.replace("</", "<\\/"))
-
-
-def _faults(flight: Any) -> list[float]:
-    """Times [s] at which the thrust effectiveness steps."""
-    from ftc_jsb.disturbance.faults import fault_steps
-    from ftc_jsb.report.series import MOST_FAULTS
-
-    steps = fault_steps(flight.record["effectiveness_thrust"], flight.scenario)[:MOST_FAULTS]
-    return [float(flight.record["time"][step]) for step in steps]
 
 
 def _script() -> dict[str, markupsafe.Markup]:

@@ -8,14 +8,15 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.disturbance.faults import CHANNELS, fault_steps
-from ftc_jsb.estimation.health import MEASURED, SIGMAS, whitened
+from ftc_jsb.estimation.health import ACCELERATION, MEASURED, SIGMAS, whitened
 from ftc_jsb.metrics import unobservable
 from ftc_jsb.report.findings import Findings
 from ftc_jsb.report.groups import model_pairs
+from ftc_jsb.report.marks import fault_times
 from ftc_jsb.report.response import AXES, command_and_answer
 from ftc_jsb.report.validity import MOTION, apart
 from ftc_jsb.scenario.limits import tracking_errors
+from ftc_jsb.scenario.schema import CHANNELS
 from ftc_jsb.simulation.flight import Flight
 
 Array = npt.NDArray[np.float64]
@@ -24,7 +25,6 @@ Columns = dict[str, Array]
 MOST_POINTS = 3000  # of a flight, evenly spaced
 ALL_POINTS = 18_000  # of all flights together: six full ones, 4 MB on the page
 CLOSE = 1.0  # [s] before and after a fault in which no sample is left out
-MOST_FAULTS = 20  # that are looked at closely
 LEAST_NIS = 1e-3  # below, a NIS is shown at this value: its axis is logarithmic
 
 
@@ -78,7 +78,7 @@ def _columns(flight: Flight) -> Columns:
     for axis in AXES:
         command, answer = command_and_answer(flight, axis)
         columns[f"{axis.name}_wanted"], columns[f"{axis.name}_flown"] = command, answer
-    for name in MEASURED:
+    for name in (*MEASURED, ACCELERATION):
         columns[f"innovation_{name}"] = whitened(r, name)
     for channel in CHANNELS:
         columns |= _effectiveness(flight, channel)
@@ -136,9 +136,8 @@ def _kept(flight: Flight, columns: Columns, every: int) -> npt.NDArray[np.int64]
     rows = flight.record.size
     keep = np.zeros(rows, dtype=bool)
     keep[::every] = keep[-1] = True
-    near = round(CLOSE * flight.scenario.loop.rate)
-    for step in fault_steps(flight.record["effectiveness_thrust"], flight.scenario)[:MOST_FAULTS]:
-        keep[max(step - near, 0) : step + near] = True
+    for time in fault_times(flight):
+        keep |= np.abs(flight.record["time"] - time) <= CLOSE
     for values in columns.values():
         keep[np.nanargmin(values)] = keep[np.nanargmax(values)] = True
     return np.flatnonzero(keep)

@@ -9,7 +9,13 @@ from ftc_jsb.metrics import passed
 from ftc_jsb.report.groups import by_scenario
 from ftc_jsb.report.quote import quote
 from ftc_jsb.report.validity import ACCEPTED
-from ftc_jsb.report.words import fault_sentences, limit_title, loop_title, model_title
+from ftc_jsb.report.words import (
+    air_and_sensors,
+    fault_sentences,
+    limit_title,
+    loop_title,
+    model_title,
+)
 from ftc_jsb.simulation.flight import Flight
 
 Flights = Mapping[str, Flight]
@@ -73,6 +79,7 @@ def _flown(flight: Flight) -> list[str]:
     scenario = flight.scenario
     start = scenario.initial
     facts = fault_sentences(scenario) or ["No fault"]
+    facts += air_and_sensors(scenario)
     facts.append(
         f"{scenario.duration:g} s from {start.airspeed:g} m/s at {start.altitude:g} m, "
         f"outer loop at {scenario.loop.rate:g} Hz, seed {scenario.seed}"

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from ftc_jsb.estimation.health import MEASURED
+from ftc_jsb.estimation.health import ACCELERATION, MEASURED
 from ftc_jsb.report.groups import by_scenario
 from ftc_jsb.report.quote import Path, Quote, quote
 from ftc_jsb.report.residuals import Residuals
@@ -79,14 +79,15 @@ def model_table(flights: Flights, document: Document, titles: dict[str, str]) ->
 
 def estimator_table(flights: Flights, document: Document, titles: dict[str, str]) -> Table:
     """Parts of the time inside the 95 % bounds, and what the filter could not see."""
-    head = ["NIS inside", "Innovation inside: airspeed", "flight path", "heading"]
+    head = ["NIS inside", "Innovation inside: airspeed", "flight path", "heading", "acceleration"]
+    names = (*MEASURED, ACCELERATION)
     head += ["Largest innovation [σ]", "Effectiveness inside ±2σ", "Thrust not observable"]
     rows: list[tuple[str, list[Quote | Markup | str]]] = []
     for label in flights:
         at = ("flights", label)
-        keys = ["nis_inside_fraction", *(f"innovation_{name}_inside_fraction" for name in MEASURED)]
+        keys = ["nis_inside_fraction", *(f"innovation_{name}_inside_fraction" for name in names)]
         cells: list[Quote | Markup | str] = [_percent(document, (*at, key)) for key in keys]
-        peaks = [f"innovation_{name}_peak_sigmas" for name in MEASURED]
+        peaks = [f"innovation_{name}_peak_sigmas" for name in names]
         largest = max(peaks, key=lambda key: document["flights"][label][key] or 0.0)
         cells.append(quote(document, (*at, largest), 1))
         cells.append(_percent(document, (*at, "effectiveness_thrust_inside_fraction")))

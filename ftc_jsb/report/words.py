@@ -1,5 +1,6 @@
 """Names of models, loops, faults and verdicts as a reader knows them."""
 
+from ftc_jsb.disturbance.signals import SENSED
 from ftc_jsb.metrics import Metrics
 from ftc_jsb.scenario.schema import Scenario
 
@@ -62,6 +63,22 @@ def fault_sentences(scenario: Scenario) -> list[str]:
         name = target.replace("_", " ").capitalize()
         sentences.append(f"{name}: {kind}{when}" + (f" ({how})" if how else ""))
     return sentences
+
+
+def air_and_sensors(scenario: Scenario) -> list[str]:
+    """Wind and sensors, where they are not still air and perfect ones."""
+    facts = []
+    wind, sensors = scenario.wind, scenario.sensors
+    if wind.speed > 0.0:
+        facts.append(f"Wind {wind.speed:g} m/s from {wind.from_deg:g}°")
+    if wind.turbulence != "none":
+        facts.append(f"{wind.turbulence.capitalize()} turbulence")
+    if wind.gust:
+        facts.append("Gusts")
+    own = any(getattr(sensors, name) is not None for name in SENSED)
+    if sensors.profile != "perfect" or own:
+        facts.append(f"{sensors.profile.capitalize()} sensors{', changed' if own else ''}")
+    return facts
 
 
 def verdict(metrics: Metrics) -> str:

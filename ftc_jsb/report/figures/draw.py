@@ -4,7 +4,6 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from ftc_jsb.disturbance.faults import CHANNELS
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.report.figures.differences import differences
 from ftc_jsb.report.figures.estimates import estimates
@@ -13,6 +12,7 @@ from ftc_jsb.report.figures.states import controls, states, tracking
 from ftc_jsb.report.figures.style import save
 from ftc_jsb.report.figures.trajectories import trajectories
 from ftc_jsb.report.groups import by_scenario
+from ftc_jsb.scenario.schema import CHANNELS
 
 
 def draw_all(flights: Flights, folder: Path) -> list[str]:

@@ -10,15 +10,14 @@ import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ftc_jsb.disturbance.faults import fault_steps
 from ftc_jsb.report.figures.style import FAULT, POINTS, RC, REFERENCE, STYLES, UNOBSERVABLE, width
+from ftc_jsb.report.marks import fault_times
 from ftc_jsb.report.words import loop_title, model_title
 from ftc_jsb.scenario.limits import tracking_errors
 from ftc_jsb.simulation.flight import Flight
 
 Flights = Mapping[str, Flight]
 Array = npt.NDArray[np.float64]
-MOST_FAULTS = 20  # marks of an intermittent fault
 
 
 class Row(NamedTuple):
@@ -78,9 +77,8 @@ def loop_styles(flights: Flights) -> dict[str, dict[str, Any]]:
 
 
 def mark_faults(axes: Axes, flight: Flight) -> None:
-    """Dotted lines where the thrust effectiveness steps."""
-    steps = fault_steps(flight.record["effectiveness_thrust"], flight.scenario)[:MOST_FAULTS]
-    for time in flight.record["time"][steps]:
+    """Dotted lines where faults set in or end."""
+    for time in fault_times(flight):
         axes.axvline(time, **FAULT)
 
 
@@ -98,7 +96,7 @@ def legend(
     }
     if reference:
         entries[reference] = mpl.lines.Line2D([], [], **REFERENCE)
-    if faults and any(_has_fault(flight) for flight in flights.values()):
+    if faults and any(map(fault_times, flights.values())):
         entries["fault"] = mpl.lines.Line2D([], [], **FAULT)
     if unobservable:
         entries["not observable here"] = mpl.patches.Patch(**UNOBSERVABLE)
@@ -107,10 +105,6 @@ def legend(
         list(entries.values()), list(entries), loc="outside lower center",
         ncols=min(len(entries), 2 if narrow and len(entries) > 3 else 5), columnspacing=1.0, handlelength=1.8,
     )  # fmt: skip
-
-
-def _has_fault(flight: Flight) -> bool:
-    return bool(fault_steps(flight.record["effectiveness_thrust"], flight.scenario).size)
 
 
 def thinned(record: npt.NDArray[Any]) -> npt.NDArray[Any]:

@@ -4,9 +4,9 @@ from typing import Any
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.figure import Figure
 
-from ftc_jsb.disturbance.faults import fault_steps
 from ftc_jsb.report.figures.panels import (
     Flights,
     by_model,
@@ -16,6 +16,7 @@ from ftc_jsb.report.figures.panels import (
     thinned,
 )
 from ftc_jsb.report.figures.style import RC, width
+from ftc_jsb.report.marks import onset
 from ftc_jsb.report.words import loop_title
 from ftc_jsb.simulation.flight import Flight
 
@@ -47,9 +48,9 @@ def trajectories(flights: Flights) -> Figure:
 def _draw(axes: Any, flight: Flight, style: dict[str, Any]) -> None:
     record = thinned(flight.record)
     axes.plot(record["east"] / 1e3, record["north"] / 1e3, record["altitude"] / 1e3, **style)
-    fault = fault_steps(flight.record["effectiveness_thrust"], flight.scenario)
-    if fault.size:
-        row = flight.record[fault[0]]
+    fault = onset(flight)
+    if fault is not None:
+        row = flight.record[np.searchsorted(flight.record["time"], fault)]
         axes.plot(
             [row["east"] / 1e3], [row["north"] / 1e3], [row["altitude"] / 1e3],
             marker="o", markersize=3.5, color=style["color"],
