@@ -20,6 +20,16 @@ class Written(NamedTuple):
     page: str
 
 
+def _draw_nothing(flights, folder) -> list[str]:
+    return ["figure1_states"]
+
+
+@pytest.fixture
+def undrawn(monkeypatch) -> None:
+    """Figures for print take seconds; tests of the page do without them."""
+    monkeypatch.setattr("ftc_jsb.report.page.draw_all", _draw_nothing)
+
+
 @pytest.fixture(scope="session")
 def written(flown, tmp_path_factory) -> Written:
     folder = tmp_path_factory.mktemp("report")
@@ -28,6 +38,8 @@ def written(flown, tmp_path_factory) -> Written:
         for model in MODELS
         for loop in LOOPS
     }
-    write_report(flights, folder, "ftc-jsb compare paper")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("ftc_jsb.report.page.draw_all", _draw_nothing)
+        write_report(flights, folder, "ftc-jsb compare paper")
     document = json.loads((folder / "metrics.json").read_text())
     return Written(flights, folder, document, (folder / "report.html").read_text())

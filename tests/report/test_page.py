@@ -86,7 +86,7 @@ def fixed_words(written) -> str:
             "from 20 s effectiveness 0.6, 60 s from 300 m/s at 3048 m, at 100 Hz, seed 0",
             "f16, σ ±2σ",
             "0.3",  # the accepted coefficient, a setting
-            "figure1_states figure2_controls figure3_trajectories figure4_effectiveness",
+            "figure1_states",
         ]
     )
 
@@ -146,6 +146,7 @@ def test_first_screen_answers_both_questions(written):
     assert [entry["answer"] for entry in truth] == ["in part", "in part"]
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_margins_are_a_row_when_a_flight_has_them(written, monkeypatch, tmp_path):
     assert "Gain margin" not in written.page
     flights = {"paper-ftc": written.flights["paper-ftc"]}
@@ -160,6 +161,7 @@ def test_margins_are_a_row_when_a_flight_has_them(written, monkeypatch, tmp_path
     assert ">12.5</data>" in page
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_scenarios_that_differ_are_told_apart_and_in_what(flown, tmp_path):
     """Two scenarios of the same name and one of another: what differs is listed, with its values."""
     flights = {
@@ -178,6 +180,7 @@ def test_scenarios_that_differ_are_told_apart_and_in_what(flown, tmp_path):
     assert re.search(r"fault\[0\]\.start.*?20\.0.*?12\.0.*?7\.0", listed, re.S)
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_flight_that_ended_early_and_loop_without_estimate_are_reported(flown, tmp_path):
     """Half a second with no estimator, and a departure: told at the top, dashes in the table."""
     short = flown("paper", "loop.name=integral", "duration=0.5")
@@ -197,6 +200,7 @@ def test_flight_that_ended_early_and_loop_without_estimate_are_reported(flown, t
     assert disagreeing(page, document) == []
 
 
+@pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize("rows", [1, 2, 5])
 def test_flight_of_a_few_samples_is_drawn(flown, tmp_path, rows):
     """What a loop that fails at once leaves behind."""
@@ -209,6 +213,7 @@ def test_flight_of_a_few_samples_is_drawn(flown, tmp_path, rows):
     assert "failed" in (tmp_path / "report.html").read_text()
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_missing_aircraft_is_said_and_stops_nothing(flown, tmp_path):
     flight = flown("paper", "model=identified")
     scenario = flight.scenario

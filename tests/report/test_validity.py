@@ -12,7 +12,9 @@ def test_a_shifted_series_differs_by_bias_alone():
     found = difference(np.sin(TIME) + 0.5, np.sin(TIME))
     assert found.rms == pytest.approx(0.5)
     assert found.peak == pytest.approx(0.5)
-    assert (found.bias, found.variance, found.covariance) == pytest.approx((1.0, 0.0, 0.0), abs=1e-9)
+    assert (found.bias, found.variance, found.covariance) == pytest.approx(
+        (1.0, 0.0, 0.0), abs=1e-9
+    )
     # RMS of sin + 1/2 is sqrt(3/4), of sin sqrt(1/2)
     assert found.theil == pytest.approx(0.5 / (np.sqrt(0.75) + np.sqrt(0.5)))
 

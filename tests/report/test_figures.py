@@ -1,0 +1,94 @@
+"""The figures for print: as they were when they were looked at, column-sized, vector, readable in grey."""
+
+import re
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import pytest
+from matplotlib.testing.compare import compare_images
+
+from ftc_jsb.report.figures.draw import draw_all
+from ftc_jsb.report.figures.estimates import estimates
+from ftc_jsb.report.figures.states import controls, states
+from ftc_jsb.report.figures.style import STYLES
+from ftc_jsb.report.figures.trajectories import trajectories
+
+BASELINE = Path(__file__).parent / "baseline"
+FIGURES = {
+    "figure1_states": states,
+    "figure2_controls": controls,
+    "figure3_trajectories": trajectories,
+    "figure4_effectiveness": estimates,
+}
+TOLERANCE = (
+    4.0  # RMS of 255: the same figure on another FreeType is 1 to 2, a line that is gone is 6
+)
+POINT = 1.0 / 72.0  # in
+
+
+@pytest.fixture(scope="module")
+def flights(flown):
+    """Point masses only: their flights are the same on every machine."""
+    return {
+        f"{model}-{loop}": flown("paper", f"model={model}", f"loop.name={loop}")
+        for model in ("paper", "identified")
+        for loop in ("ftc", "no-ftc")
+    }
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_figure_is_as_it_was_looked_at(flights, name, tmp_path, request):
+    """RMS of all pixels against the picture in the repository."""
+    figure = FIGURES[name](flights)
+    drawn, kept = tmp_path / f"{name}.png", BASELINE / f"{name}.png"
+    figure.savefig(drawn, dpi=60)
+    plt.close(figure)
+    if request.config.getoption("--rewrite-golden"):
+        kept.parent.mkdir(exist_ok=True)
+        kept.write_bytes(drawn.read_bytes())
+    assert compare_images(str(kept), str(drawn), TOLERANCE) is None
+
+
+def test_a_missing_line_is_noticed(flights, tmp_path):
+    """The tolerance is tight enough: the flight without FTC left out of Figure 1."""
+    fewer = {label: flight for label, flight in flights.items() if label != "identified-no-ftc"}
+    figure = states(fewer)
+    figure.savefig(tmp_path / "fewer.png", dpi=60)
+    plt.close(figure)
+    kept = BASELINE / "figure1_states.png"
+    assert compare_images(str(kept), str(tmp_path / "fewer.png"), TOLERANCE) is not None
+
+
+def test_figures_of_one_recording_are_as_wide_as_a_column(flown, tmp_path):
+    """Vector PDF of 3.5 in, SVG with text as text, PNG of 300 dots an inch."""
+    drawn = draw_all({"paper-ftc": flown("paper")}, tmp_path)
+    assert {"figure1_states", "figure2_controls", "figure3_trajectories"} < set(drawn)
+    for name in drawn:
+        pdf = (tmp_path / f"{name}.pdf").read_bytes()
+        box = re.search(rb"/MediaBox \[ ?0 0 ([\d.]+) ([\d.]+) ?\]", pdf)
+        assert box is not None
+        assert float(box[1]) * POINT == pytest.approx(3.5)
+        assert b"/Subtype /Image" not in pdf
+        assert "<text" in (tmp_path / f"{name}.svg").read_text()
+        width, _ = plt.imread(tmp_path / f"{name}.png").shape[1::-1]
+        assert width == round(3.5 * 300)
+
+
+def test_figures_of_two_scenarios_are_in_a_folder_each(flown, tmp_path):
+    flights = {"a": flown("paper", "duration=25"), "b": flown("severe", "duration=25")}
+    drawn = draw_all(flights, tmp_path)
+    assert "paper/figure1_states" in drawn
+    assert (tmp_path / "severe" / "figure4_effectiveness.pdf").exists()
+
+
+def test_lines_are_told_apart_in_grey():
+    """Okabe and Ito's colours are alike in luminance: it is the dashes that differ, every one."""
+    assert len({str(style["linestyle"]) for style in STYLES}) == len(STYLES)
+
+
+def test_text_in_the_pdf_is_embedded_as_type_42(flown, tmp_path):
+    """Publishers refuse Type 3 fonts."""
+    draw_all({"paper-ftc": flown("paper", "duration=3")}, tmp_path)
+    pdf = (tmp_path / "figure1_states.pdf").read_bytes()
+    assert b"/CIDFontType2" in pdf.replace(b" ", b"")
+    assert b"/Type3" not in pdf.replace(b" ", b"")
