@@ -19,7 +19,12 @@ class Format(NamedTuple):
     meaning: str
 
 
-FORMATS: dict[str, Format] = {}
+FORMATS: dict[str, Format] = {
+    "acmi": Format(".acmi", "TacView 2.2"),
+    "csv": Format(".csv", "comma-separated text, units in the header: any spreadsheet"),
+    "mat": Format(".mat", "MATLAB 5: loadmat, Octave"),
+    "parquet": Format(".parquet", "Apache Parquet, units in the schema: pandas, Polars, DuckDB"),
+}
 
 
 def convert(flight: Flight, name: str, path: Path) -> None:
