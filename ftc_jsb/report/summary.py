@@ -7,6 +7,7 @@ from markupsafe import Markup
 
 from ftc_jsb.metrics import passed
 from ftc_jsb.report.groups import by_scenario
+from ftc_jsb.report.marks import fault_times
 from ftc_jsb.report.quote import quote
 from ftc_jsb.report.validity import ACCEPTED
 from ftc_jsb.report.words import (
@@ -49,7 +50,7 @@ def first_screen(flights: Flights, document: Document) -> list[Screen]:
         Screen(
             name,
             _flown(next(iter(members.values()))),
-            bool(next(iter(members.values())).scenario.fault),
+            any(map(fault_times, members.values())),
             [_tolerated(label, members, document) for label in _judged(members)],
             [
                 _truth(index, document)
@@ -78,7 +79,9 @@ def _flown(flight: Flight) -> list[str]:
     """What the scenario asks for, in its own numbers."""
     scenario = flight.scenario
     start = scenario.initial
-    facts = fault_sentences(scenario) or ["No fault"]
+    facts = fault_sentences(scenario)
+    if not facts:
+        facts = ["Faults injected in flight" if fault_times(flight) else "No fault"]
     facts += air_and_sensors(scenario)
     facts.append(
         f"{scenario.duration:g} s from {start.airspeed:g} m/s at {start.altitude:g} m, "

@@ -157,7 +157,7 @@ def load(path: Path) -> Flight:
         record[name] = dataset[name].to_numpy()
     status = cast(Any, attributes["status"])
     outcome = Outcome(status, float(attributes["end_time_s"]), str(attributes["reason"]))
-    return Flight(scenario, record, outcome, None, _provenance(attributes))
+    return Flight(scenario, record, outcome, None, provenance=_provenance(attributes))
 
 
 def _provenance(attributes: dict[Any, Any]) -> Provenance:

@@ -25,7 +25,7 @@ def trajectories(flights: Flights) -> Figure:
     """Figure 3: north, east and altitude; a dot where the fault sets in."""
     columns, styles = by_model(flights), loop_styles(flights)
     with mpl.rc_context(RC):
-        figure = plt.figure(figsize=(width(len(columns)), 3.0))
+        figure = plt.figure(figsize=(width(len(columns)), 3.0 if len(columns) == 1 else 2.5))
         for number, (title, members) in enumerate(columns.items()):
             axes: Any = figure.add_subplot(1, len(columns), number + 1, projection="3d")
             for flight in members:
