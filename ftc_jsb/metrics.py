@@ -32,9 +32,9 @@ def flight_metrics(flight: Flight) -> Metrics:
         **_estimation(flight),
         **_detection(record),
         "unobservable_fraction": {
-            channel: _part(
-                unobservable(flight, channel), flight.record[f"effectiveness_{channel}_std"]
-            )
+            channel: None
+            if flight.scenario.loop.estimator.tuning == "sensors"
+            else _part(unobservable(flight, channel), flight.record[f"effectiveness_{channel}_std"])
             for channel in flight.scenario.loop.estimator.channels
         },
         **estimator_health(record),
@@ -106,8 +106,11 @@ def unobservable(flight: Flight, channel: Channel) -> npt.NDArray[np.bool_]:
 
     Without information the variance grows by the channel's Q at every step. A channel counts as not
     observable where its variance has grown by more than half of that over the last half second.
+    With covariances by the sensors the Q of the flight is not recorded, and nothing is told: no sample.
     """
     estimator, record = flight.scenario.loop.estimator, flight.record
+    if estimator.tuning == "sensors":
+        return np.zeros(record.size, dtype=bool)
     variance = record[f"effectiveness_{channel}_std"] ** 2
     steps = max(round(0.5 * flight.scenario.loop.rate), 1)
     noise = estimator.process_noise[3 + estimator.channels.index(channel)]

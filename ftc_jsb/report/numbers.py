@@ -43,6 +43,8 @@ NUMBERS = (
     Number("load_factor_travel_per_s", "Load factor command, mean rate", "1/s", 3, True),
     Number("bank_travel_deg_per_s", "Bank command, mean rate", "deg/s", 2, True),
     Number("saturated_time_s", "Time at a limit of thrust or load factor", "s", 2, True),
+    Number("peak_climb_given_up_deg", "Climb given up for want of thrust", "deg", 2, True),
+    Number("peak_turn_given_up_deg_s", "Turn given up for want of thrust", "deg/s", 2, True),
     Number("gain_margin_db", "Gain margin", "dB", 1, group="Margins of the outer loop"),
     Number("phase_margin_deg", "Phase margin", "deg", 1),
     Number("delay_margin_s", "Delay margin", "s", 3),
