@@ -33,7 +33,7 @@ def test_fly_writes_recording_and_metrics_from_any_folder(tmp_path):
     assert sorted(p.name for p in (tmp_path / "here").iterdir()) == ["flight.nc", "metrics.json"]
     stored = json.loads((tmp_path / "here" / "metrics.json").read_text())
     assert list(stored["flights"]) == ["paper-ftc"]
-    assert "RMSE airspeed" in result.stdout
+    assert "Airspeed, RMSE" in result.stdout
 
 
 def test_json_output_is_json_alone(tmp_path):

@@ -146,6 +146,7 @@ def test_time_cursor_moves_by_keyboard_and_tells_the_values(opened, written):
     assert opened.cursor("states") == pytest.approx(59.97, abs=0.05)
     opened.page.focus("#values summary")
     opened.page.keyboard.press("Enter")
+    opened.page.wait_for_selector("#values tbody tr")
     rows = opened.page.locator("#values tbody tr")
     assert rows.count() == len(written.flights)
     shown = float(rows.nth(0).locator("td").nth(1).inner_text())

@@ -55,6 +55,8 @@ def save(figure: Figure, folder: Path, name: str) -> None:
     """Write a figure in every format, the same bytes every time, and close it."""
     dates = {"pdf": "CreationDate", "svg": "Date"}
     with mpl.rc_context(RC):
+        figure.draw_without_rendering()  # lays out, once for all formats
+        figure.set_layout_engine("none")
         for suffix in FORMATS:
             metadata = {dates[suffix]: None} if suffix in dates else None
             figure.savefig(folder / f"{name}.{suffix}", dpi=300, metadata=metadata)
