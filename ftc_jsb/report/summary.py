@@ -106,6 +106,7 @@ def _tolerated(label: str, members: Flights, document: Document) -> Answer:
     sentence = Markup("{}; airspeed RMSE {} m/s").format(
         verdict(document, label), quote(document, ("flights", label, "rmse_airspeed_mps"), 3)
     )
+    sentence += _given_up(label, document)
     for index, pair in enumerate(document["with_and_without"]):
         if pair["with_ftc"] != label:
             continue
@@ -116,6 +117,19 @@ def _tolerated(label: str, members: Flights, document: Document) -> Answer:
             quote(document, ("with_and_without", index, "ratio", "rmse_airspeed_mps"), 1),
         )
     return Answer(GOOD if good else BAD, "Yes" if good else "No", subject, sentence)
+
+
+def _given_up(label: str, document: Document) -> Markup:
+    """What inside the limits was not flown as asked for, for want of thrust."""
+    found = Markup("")
+    for key, name, unit in (
+        ("peak_climb_given_up_deg", "of path", "deg"),
+        ("peak_turn_given_up_deg_s", "of turn", "deg/s"),
+    ):
+        if document["flights"][label].get(key):
+            most = quote(document, ("flights", label, key), 1)
+            found += Markup(", up to {} {} {} given up").format(most, unit, name)
+    return found
 
 
 def _truth(index: int, document: Document) -> Answer:

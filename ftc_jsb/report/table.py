@@ -41,8 +41,8 @@ def print_table(metrics: dict[str, Metrics]) -> None:
         table = Table(title=title, box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
         table.add_column("flight", no_wrap=True)
         for heading in HEADINGS:
-            table.add_column(Text(heading), justify="right")
-        table.add_column("verdict", no_wrap=True)
+            table.add_column(Text(heading), justify="right", no_wrap=True)
+        table.add_column("verdict")  # the one that may wrap
         chosen = {number.key: number for number in NUMBERS}
         for (label, values), word in zip(metrics.items(), verdicts, strict=True):
             table.add_row(label, *(shown(chosen[key], values) for key in COLUMNS), word)
