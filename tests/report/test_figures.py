@@ -28,12 +28,17 @@ POINT = 1.0 / 72.0  # in
 
 @pytest.fixture(scope="module")
 def flights(flown):
-    """Point masses only: their flights are the same on every machine."""
-    return {
-        f"{model}-{loop}": flown("paper", f"model={model}", f"loop.name={loop}")
-        for model in ("paper", "identified")
-        for loop in ("ftc", "no-ftc")
-    }
+    """The paper's aircraft at two sizes of fault: the same flights whatever is identified anew.
+
+    The second stands in as another model, for figures of two columns.
+    """
+    flights = {}
+    for loop in ("ftc", "no-ftc"):
+        flights[f"paper-{loop}"] = flown("paper", f"loop.name={loop}")
+        other = flown("paper", f"loop.name={loop}", "fault[0].effectiveness=0.7")
+        scenario = other.scenario.model_copy(update={"model": "identified"})
+        flights[f"identified-{loop}"] = other._replace(scenario=scenario)
+    return flights
 
 
 @pytest.mark.parametrize("name", FIGURES)
