@@ -20,9 +20,9 @@ FIGURES = {
     "figure3_trajectories": trajectories,
     "figure4_effectiveness": estimates,
 }
-TOLERANCE = (
-    4.0  # RMS of 255: the same figure on another FreeType is 1 to 2, a line that is gone is 6
-)
+# RMS of 255. matplotlib brings its own FreeType and is pinned, so that the pixels are the same on every machine
+# but for rounding; one of the four flights left out is 4.4 to 9.0.
+TOLERANCE = 2.0
 POINT = 1.0 / 72.0  # in
 
 
@@ -54,13 +54,14 @@ def test_figure_is_as_it_was_looked_at(flights, name, tmp_path, request):
     assert compare_images(str(kept), str(drawn), TOLERANCE) is None
 
 
-def test_a_missing_line_is_noticed(flights, tmp_path):
-    """The tolerance is tight enough: the flight without FTC left out of Figure 1."""
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_missing_line_is_noticed(flights, name, tmp_path):
+    """The tolerance is tight enough: one flight left out."""
     fewer = {label: flight for label, flight in flights.items() if label != "identified-no-ftc"}
-    figure = states(fewer)
+    figure = FIGURES[name](fewer)
     figure.savefig(tmp_path / "fewer.png", dpi=60)
     plt.close(figure)
-    kept = BASELINE / "figure1_states.png"
+    kept = BASELINE / f"{name}.png"
     assert compare_images(str(kept), str(tmp_path / "fewer.png"), TOLERANCE) is not None
 
 
