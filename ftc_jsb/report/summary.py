@@ -22,6 +22,7 @@ from ftc_jsb.simulation.flight import Flight
 Flights = Mapping[str, Flight]
 Document = dict[str, Any]
 INTOLERANT = ("no-ftc",)  # loops that take every actuator for healthy
+LEAST_GIVEN_UP = 0.1  # [deg] or [deg/s]: less is not worth a word
 GOOD, HALF, BAD = "good", "half", "bad"
 
 
@@ -126,7 +127,7 @@ def _given_up(label: str, document: Document) -> Markup:
         ("peak_climb_given_up_deg", "of path", "deg"),
         ("peak_turn_given_up_deg_s", "of turn", "deg/s"),
     ):
-        if document["flights"][label].get(key):
+        if (document["flights"][label].get(key) or 0.0) >= LEAST_GIVEN_UP:
             most = quote(document, ("flights", label, key), 1)
             found += Markup(", up to {} {} {} given up").format(most, unit, name)
     return found
