@@ -32,8 +32,8 @@ format: $(READY)
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-golden: $(READY)  ## Rewrite the golden flights; say why in the commit
-	$(BIN)/pytest -n 0 tests/regression --rewrite-golden
+golden: $(READY)  ## Rewrite the golden flights and figures; say why in the commit
+	$(BIN)/pytest -n 0 tests/regression tests/report/test_figures.py --rewrite-golden
 
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "ftc-jsb needs Python 3.11 or later; try make PYTHON=python3.12")'

@@ -181,7 +181,52 @@ def report(recordings: tuple[Path, ...], out: Path | None, force: bool, as_json:
     for message in broken:
         click.echo(f"ftc-jsb: {message}", err=True)
     with output_folder(out, "report", force) as folder:
-        _write_report(flights, folder, as_json)
+        _write_report(flights, folder, as_json, tuple(broken))
+    if broken:
+        sys.exit(BAD_USAGE)
+
+
+@main.command()
+@click.argument("recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path))
+@click.option("--to", "format_", metavar="FORMAT", required=True, help="See docs/scenarios.md.")
+@click.option(
+    "--out", metavar="FILE", type=click.Path(path_type=Path), help="Default: beside the recording."
+)
+@click.option("--force", is_flag=True, help="Write over FILE.")
+def convert(recording: Path, format_: str, out: Path | None, force: bool) -> None:
+    """Write a recording in the format of another program."""
+    from ftc_jsb.convert import FORMATS
+    from ftc_jsb.convert import convert as write
+    from ftc_jsb.errors import RecordingError
+    from ftc_jsb.simulation.recording import load
+
+    if format_ not in FORMATS:
+        raise RecordingError(f"--to {format_}: no such format; expected {', '.join(FORMATS)}")
+    path = out or recording.with_suffix(FORMATS[format_].suffix)
+    if path.exists() and not force:
+        raise RecordingError(f"{path}: exists; give another file by --out, or --force")
+    write(load(recording), format_, path)
+    click.echo(f"Written: {path}")
+
+
+@main.command()
+@click.argument(
+    "recordings", metavar="FLIGHT.nc...", nargs=-1, required=True, type=click.Path(path_type=Path)
+)
+@_out_option
+@_force_option
+def figures(recordings: tuple[Path, ...], out: Path | None, force: bool) -> None:
+    """Draw the paper's figures of recordings for print: PDF, SVG and PNG, as wide as a column."""
+    from ftc_jsb.report.figures.draw import draw_all
+    from ftc_jsb.simulation.folder import output_folder
+    from ftc_jsb.simulation.session import labelled_recordings
+
+    flights, broken = labelled_recordings(recordings)
+    for message in broken:
+        click.echo(f"ftc-jsb: {message}", err=True)
+    with output_folder(out, "figures", force) as folder:
+        for name in draw_all(flights, folder):
+            click.echo(f"Drawn: {folder / name}.pdf, .svg, .png")
     if broken:
         sys.exit(BAD_USAGE)
 
@@ -479,17 +524,18 @@ def _paced(watch: Any, rate: float) -> Any:
     return paced
 
 
-def _write_report(flights: dict[str, Any], folder: Path, as_json: bool) -> None:
+def _write_report(
+    flights: dict[str, Any], folder: Path, as_json: bool, unread: tuple[str, ...] = ()
+) -> None:
     from ftc_jsb.report.page import write_report
     from ftc_jsb.report.table import print_table
-    from ftc_jsb.simulation.session import document
 
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
-    metrics = write_report(flights, folder, command)
+    document = write_report(flights, folder, command, unread)
     if as_json:
-        click.echo(json.dumps(document(metrics), indent=2))
+        click.echo(json.dumps(document, indent=2))
     else:
-        print_table(metrics)
+        print_table(document["flights"])
         click.echo(f"Report: {folder / 'report.html'}")
 
 

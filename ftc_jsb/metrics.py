@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.disturbance.faults import fault_steps
+from ftc_jsb.estimation.health import estimator_health
 from ftc_jsb.scenario.limits import broken_limits, tracking_errors
 from ftc_jsb.scenario.schema import Channel
 from ftc_jsb.simulation.flight import Flight
@@ -31,11 +32,12 @@ def flight_metrics(flight: Flight) -> Metrics:
         **_estimation(flight),
         **_detection(record),
         "unobservable_fraction": {
-            channel: _part(
-                unobservable(flight, channel), flight.record[f"effectiveness_{channel}_std"]
-            )
+            channel: None
+            if flight.scenario.loop.estimator.tuning == "sensors"
+            else _part(unobservable(flight, channel), flight.record[f"effectiveness_{channel}_std"])
             for channel in flight.scenario.loop.estimator.channels
         },
+        **estimator_health(record),
         **_effort(record),
         "real_time_factor": flight.real_time_factor,
         "limits_broken": [
@@ -104,8 +106,11 @@ def unobservable(flight: Flight, channel: Channel) -> npt.NDArray[np.bool_]:
 
     Without information the variance grows by the channel's Q at every step. A channel counts as not
     observable where its variance has grown by more than half of that over the last half second.
+    With covariances by the sensors the Q of the flight is not recorded, and nothing is told: no sample.
     """
     estimator, record = flight.scenario.loop.estimator, flight.record
+    if estimator.tuning == "sensors":
+        return np.zeros(record.size, dtype=bool)
     variance = record[f"effectiveness_{channel}_std"] ** 2
     steps = max(round(0.5 * flight.scenario.loop.rate), 1)
     noise = estimator.process_noise[3 + estimator.channels.index(channel)]
@@ -138,21 +143,29 @@ def _detection(record: npt.NDArray[Any]) -> Metrics:
 def _effort(record: npt.NDArray[Any]) -> Metrics:
     saturated = (record["thrust_saturated"] > 0.5) | (record["load_factor_saturated"] > 0.5)
     duration = record["time"][-1] - record["time"][0]
-    travel = np.nansum(np.abs(np.diff(record["thrust_cmd"])))
+    part_saturated = _part(saturated, record["thrust_saturated"])
     return {
-        "saturated_fraction": _part(saturated, record["thrust_saturated"]),
+        "saturated_fraction": part_saturated,
+        "saturated_time_s": None if part_saturated is None else part_saturated * float(duration),
         "outside_identified_fraction": _part(
             record["outside_range"] > 0.5, record["outside_range"]
         ),
         "peak_climb_given_up_deg": _peak(np.degrees(record["climb_given_up"])),
         "peak_turn_given_up_deg_s": _peak(np.degrees(record["turn_given_up"])),
-        "thrust_travel_n_per_s": float(travel / duration) if duration > 0.0 else 0.0,
+        "thrust_travel_n_per_s": _travel(record["thrust_cmd"], duration),
+        "load_factor_travel_per_s": _travel(record["load_factor_cmd"], duration),
+        "bank_travel_deg_per_s": _travel(np.degrees(record["bank_angle_cmd"]), duration),
         "peak_thrust_n": _peak(record["thrust"]),
         "peak_load_factor": _peak(record["load_factor"]),
         "peak_bank_deg": _peak(np.degrees(record["bank_angle"])),
         "peak_alpha_deg": _peak(np.degrees(record["alpha"])),
         "peak_sideslip_deg": _peak(np.degrees(record["sideslip"])),
     }
+
+
+def _travel(command: npt.NDArray[Any], duration: float) -> float:
+    """Mean absolute rate of a command: the way it goes, up and down, over the flight's time [s]."""
+    return float(np.nansum(np.abs(np.diff(command))) / duration) if duration > 0.0 else 0.0
 
 
 def _part(where: npt.NDArray[np.bool_], known: npt.NDArray[np.float64]) -> float | None:

@@ -33,7 +33,7 @@ def test_fly_writes_recording_and_metrics_from_any_folder(tmp_path):
     assert sorted(p.name for p in (tmp_path / "here").iterdir()) == ["flight.nc", "metrics.json"]
     stored = json.loads((tmp_path / "here" / "metrics.json").read_text())
     assert list(stored["flights"]) == ["paper-ftc"]
-    assert "RMSE airspeed" in result.stdout
+    assert "Airspeed, RMSE" in result.stdout
 
 
 def test_json_output_is_json_alone(tmp_path):
@@ -65,7 +65,16 @@ def test_report_of_recordings_and_of_a_broken_one(tmp_path):
     (tmp_path / "bad.nc").write_text("no")
     result = run("report", "a/flight.nc", "bad.nc", "--out", "r", cwd=tmp_path)
     assert_refused(result, "bad.nc: not a readable NetCDF file")
-    assert (tmp_path / "r" / "report.html").exists()
+    assert "bad.nc: not a readable NetCDF file" in (tmp_path / "r" / "report.html").read_text()
+
+
+def test_figures_of_a_recording_in_one_command(tmp_path):
+    run("fly", "paper", "--set", "duration=3", "--out", "a", cwd=tmp_path)
+    result = run("figures", "a/flight.nc", "--out", "f", cwd=tmp_path)
+    assert result.returncode == 0, result.stderr
+    names = {path.name for path in (tmp_path / "f").iterdir()}
+    for figure in ("1_states", "2_controls", "3_trajectories", "4_effectiveness"):
+        assert {f"figure{figure}.{suffix}" for suffix in ("pdf", "svg", "png")} < names
 
 
 @pytest.mark.parametrize(
@@ -80,6 +89,8 @@ def test_report_of_recordings_and_of_a_broken_one(tmp_path):
         (["fly", "paper", "--model", "jsbsim", "--set", "aircraft.name=f99"], "no aircraft 'f99'"),
         (["compare", "paper", "--set", "compare.loops=['ftv']"], "no loop 'ftv'"),
         (["report", "none.nc"], "none.nc: no such file"),
+        (["figures", "none.nc"], "none.nc: no such file"),
+        (["convert", "none.nc", "--to", "csv"], "none.nc: no such file"),
         (["identify", "f99"], "no aircraft 'f99'"),
         (["check", "paper", "--set", "loop.rate=0"], "loop.rate"),
         (["fly"], "Missing argument 'SCENARIO'"),

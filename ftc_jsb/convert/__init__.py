@@ -20,6 +20,10 @@ class Format(NamedTuple):
 
 
 FORMATS: dict[str, Format] = {
+    "acmi": Format(".acmi", "TacView 2.2"),
+    "csv": Format(".csv", "comma-separated text, units in the header: any spreadsheet"),
+    "mat": Format(".mat", "MATLAB 5: loadmat, Octave"),
+    "parquet": Format(".parquet", "Apache Parquet, units in the schema: pandas, Polars, DuckDB"),
     "tlog": Format(".tlog", "MAVLink telemetry log: mavlogdump, MAVExplorer, Mission Planner"),
 }
 

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ftc_jsb.estimation.consistency import Consistency
-from ftc_jsb.report.figures import RC, STYLES
+from ftc_jsb.report.figures.style import RC, STYLES
 
 
 def consistency_figure(found: dict[int, Consistency], dt: float) -> Figure:

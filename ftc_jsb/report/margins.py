@@ -10,7 +10,8 @@ from matplotlib.figure import Figure
 
 from ftc_jsb.margins.document import decibel
 from ftc_jsb.margins.measure import MOST_DELAY, MOST_GAIN, ChannelMargins
-from ftc_jsb.report.figures import CHANNEL_TITLES, RC, STYLES
+from ftc_jsb.report.figures.style import RC, STYLES
+from ftc_jsb.report.words import CHANNEL_TITLES
 
 INSERTED: dict[str, Any] = {"color": STYLES[1]["color"], "markersize": 5, "linestyle": "none"}
 

@@ -1,6 +1,7 @@
-"""The report: one self-contained HTML file, its figures, and the metrics beside it."""
+"""The report: one self-contained HTML file, its figures, and the numbers beside it."""
 
-import re
+import json
+from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -8,46 +9,46 @@ import jinja2
 import markupsafe
 
 from ftc_jsb.errors import RecordingError
-from ftc_jsb.metrics import Metrics, flight_metrics, passed
-from ftc_jsb.report import words
-from ftc_jsb.report.figures import by_model, draw_all, model_pairs
-from ftc_jsb.report.validity import compare_flights
+from ftc_jsb.report import tables, words
+from ftc_jsb.report.charts import as_data, charts
+from ftc_jsb.report.figures.draw import draw_all
+from ftc_jsb.report.figures.style import FORMATS
+from ftc_jsb.report.findings import Findings, Flights, find
+from ftc_jsb.report.groups import by_scenario, plain, scenario_differences
+from ftc_jsb.report.marks import fault_times
+from ftc_jsb.report.quote import Quote, quote
+from ftc_jsb.report.result_table import result_table
+from ftc_jsb.report.series import Series, flight_series
+from ftc_jsb.report.summary import first_screen
+from ftc_jsb.report.validity import ACCEPTED
 from ftc_jsb.scenario.load import scenario_toml
-from ftc_jsb.simulation.flight import Flight
-from ftc_jsb.simulation.recording import versions
-from ftc_jsb.simulation.session import document, write_metrics
+from ftc_jsb.simulation.recording import machine, versions
+from ftc_jsb.simulation.session import write_metrics
 
-CAPTIONS = {
-    "figure1_states": """Figure 1. Airspeed, flight path angle and heading, with the references from the
-    command filter.""",
-    "figure2_controls": """Figure 2. Commanded thrust (what a healthy engine would deliver), load factor and
-    bank angle.""",
-    "tracking_errors": "Tracking errors: true value minus reference.",
-    "figure3_trajectories": """Figure 3. Trajectories; the dot is where the fault sets in. The three axes are
-    not to one scale.""",
-    "figure4_effectiveness": """Figure 4. Estimate of the thrust effectiveness with its ±2σ band, and its
-    error. In the flights without FTC the same filter runs, but the law does not listen to it. With the
-    paper's Q and R the band is thinner than the line: it knows of no error of the drag and thrust models,
-    and is no confidence band.""",
-    "figure4_load_factor": "Figure 4 for the load factor. Grey: not observable there.",
-    "figure4_bank_angle": "Figure 4 for the bank angle. Grey: not observable there.",
-    "differences": """Figure 5. What each point mass predicts minus what the JSBSim aircraft did, with the
-    same outer loop.""",
-}
+DASHES = ("solid", "dash", "dot", "dashdot", "longdash")
+COLOURS = 6  # that the page's style sheet has
 
 
-def write_report(flights: dict[str, Flight], folder: Path, command: str) -> dict[str, Metrics]:
+def write_report(
+    flights: Flights, folder: Path, command: str, unread: tuple[str, ...] = ()
+) -> dict[str, Any]:
     """Write `report.html`, `metrics.json` and `figures/` for flights by label.
 
     Args:
         flights: at least one.
         folder: exists and is writable.
         command: as typed, for the foot of the report.
+        unread: what is wrong with recordings that could not be read.
 
     Returns:
-        The metrics of each flight.
+        The contents of `metrics.json`.
+
+    Raises:
+        RecordingError: the folder cannot be written.
     """
-    metrics = {label: flight_metrics(flight) for label, flight in flights.items()}
+    findings = find(flights)
+    series = flight_series(flights, findings)
+    findings.document["samples_per_point"] = {label: s.every for label, s in series.items()}
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("ftc_jsb.report", "templates"),
         autoescape=True,
@@ -56,145 +57,136 @@ def write_report(flights: dict[str, Flight], folder: Path, command: str) -> dict
         undefined=jinja2.StrictUndefined,
     )
     try:
-        write_metrics(folder / "metrics.json", document(metrics))
-        drawings = draw_all(flights, folder / "figures")
+        write_metrics(folder / "metrics.json", findings.document)
+        drawn = draw_all(flights, folder / "figures")
+        contents = _contents(flights, findings, series, unread)
         page = environment.get_template("report.html").render(
-            _contents(flights, metrics, drawings, command)
+            **contents, command=command, figures=drawn, formats=FORMATS, script=_script()
         )
         (folder / "report.html").write_text(page, encoding="utf-8")
     except OSError as error:
         raise RecordingError(f"{folder}: the report cannot be written: {error}") from None
-    return metrics
+    return findings.document
 
 
 def _contents(
-    flights: dict[str, Flight],
-    metrics: dict[str, Metrics],
-    drawings: dict[str, str],
-    command: str,
+    flights: Flights, findings: Findings, series: dict[str, Series], unread: tuple[str, ...]
 ) -> dict[str, Any]:
-    first = next(iter(flights.values())).scenario
-    columns = [
-        {
-            "label": label,
-            "model": words.model_title(flight.scenario),
-            "scenario": "" if _same_scenario(flights) else flight.scenario.name,
-            "loop": words.loop_title(flight.scenario),
-            "verdict": words.verdict(metrics[label]),
-            "passed": passed(metrics[label]),
-        }
-        for label, flight in flights.items()
-    ]
-    rows = [
-        {
-            "title": figure.title,
-            "unit": figure.unit,
-            "cells": [
-                {
-                    "text": words.shown(figure, metrics[label]),
-                    "best": label in _best(figure, flights, metrics),
-                }
-                for label in flights
-            ],
-        }
-        for figure in words.FIGURES
-    ]
+    document = findings.document
+    titles = tables.flight_titles(flights)
+    groups = by_scenario(flights)
+    first = next(iter(flights.values()))
+    drawn = charts(series)
     return {
         "title": _title(flights),
-        "description": first.description.strip() if _same_scenario(flights) else "",
-        "columns": columns,
-        "rows": rows,
-        "summary": summary(flights, metrics),
-        "differences": [
-            {"point_mass": title, "loop": words.loop_title(one.scenario), "rows": compare_flights(one, other)}
-            for title, couples in model_pairs(flights).items()
-            for one, other in couples
+        "description": first.scenario.description.strip() if len(groups) == 1 else "",
+        "notices": [*unread, *_ended_early(flights, titles), *findings.problems],
+        "screens": first_screen(flights, document),
+        "accepted": ACCEPTED,
+        "table": result_table(flights, document),
+        "group_names": list(groups),
+        "scenario_differences": scenario_differences(flights),
+        "difference_tables": tables.difference_tables(flights, document, titles),
+        "model_table": tables.model_table(flights, document, titles),
+        "estimator_table": tables.estimator_table(flights, document, titles),
+        "stability_table": tables.stability_table(flights, document, titles),
+        "samples_per_point": _samples_per_point(document, titles),
+        "charts": drawn,
+        "flight_chips": _chips(flights, titles),
+        "data": _data(flights, titles, series, drawn),
+        "scenarios": [
+            (name, scenario_toml(plain(next(iter(members.values())).scenario)))
+            for name, members in groups.items()
         ],
-        "figures": [
-            {
-                "name": name,
-                "svg": _inline(text, name),
-                "caption": CAPTIONS[name],
-                "columns": len(model_pairs(flights) if name == "differences" else by_model(flights)),
-            }
-            for name, text in drawings.items()
-        ],
-        "scenarios": _distinct_scenarios(flights),
-        "versions": versions(),
-        "seed": first.seed,
-        "command": command,
-    }  # fmt: skip
+        "made": _made(flights),
+    }
 
 
-def _same_scenario(flights: dict[str, Flight]) -> bool:
-    return len({flight.scenario.name for flight in flights.values()}) == 1
+def _samples_per_point(document: dict[str, Any], titles: dict[str, str]) -> list[tuple[Quote, str]]:
+    """How much the charts are thinned, and which flights by so much."""
+    by_every: dict[int, list[str]] = {}
+    for label, every in document["samples_per_point"].items():
+        by_every.setdefault(every, []).append(label)
+    return [
+        (quote(document, ("samples_per_point", labels[0]), 0), "; ".join(titles[k] for k in labels))
+        for labels in by_every.values()
+    ]
 
 
-def _title(flights: dict[str, Flight]) -> str:
+def _chips(flights: Flights, titles: dict[str, str]) -> list[dict[str, Any]]:
+    """Colour and dash of each flight: a colour for a model of a scenario, a dash for a loop."""
+    colours: dict[tuple[str, str], int] = {}
+    dashes: dict[str, int] = {}
+    chips = []
+    for name, members in by_scenario(flights).items():
+        for label, flight in members.items():
+            model = (name, words.model_title(flight.scenario))
+            colour = colours.setdefault(model, len(colours)) % COLOURS
+            loop = words.loop_title(flight.scenario)
+            dash = DASHES[dashes.setdefault(loop, len(dashes)) % len(DASHES)]
+            chips.append({"label": label, "title": titles[label], "colour": colour, "dash": dash})
+    order = list(flights)
+    return sorted(chips, key=lambda chip: order.index(chip["label"]))
+
+
+def _data(
+    flights: Flights, titles: dict[str, str], series: dict[str, Series], drawn: list[Any]
+) -> markupsafe.Markup:
+    """Flights and charts as JSON inside the page; `</` must not end the script element."""
+    groups = {
+        label: number
+        for number, members in enumerate(by_scenario(flights).values())
+        for label in members
+    }
+    entries = [
+        {**chip, "group": groups[chip["label"]], "faults": fault_times(flights[chip["label"]])}
+        | {"columns": series[chip["label"]].columns}
+        for chip in _chips(flights, titles)
+    ]
+    text = json.dumps({"flights": entries, "charts": [as_data(chart) for chart in drawn]})
+    return markupsafe.Markup(text.replace("</", "<\\/"))
+
+
+def _script() -> dict[str, markupsafe.Markup]:
+    """The page's style, its script, and Plotly from its package: nothing is fetched."""
+    from plotly.offline import get_plotlyjs
+
+    here = resources.files("ftc_jsb.report") / "templates"
+    return {
+        "style": markupsafe.Markup((here / "report.css").read_text(encoding="utf-8")),
+        "plotly": markupsafe.Markup(get_plotlyjs()),
+        "page": markupsafe.Markup((here / "report.js").read_text(encoding="utf-8")),
+    }
+
+
+def _title(flights: Flights) -> str:
     first = next(iter(flights.values())).scenario
-    if _same_scenario(flights):
+    names = list(by_scenario(flights))
+    if len(names) == 1:
         return first.title or first.name
-    names = list(dict.fromkeys(flight.scenario.name for flight in flights.values()))
-    return f"{len(flights)} flights of the scenarios {', '.join(names)}"
+    return f"Flights of the scenarios {', '.join(names)}"
 
 
-def summary(flights: dict[str, Flight], metrics: dict[str, Metrics]) -> list[str]:
-    """What a reader must know first, a sentence for each model flown with and without FTC."""
-    sentences = []
+def _ended_early(flights: Flights, titles: dict[str, str]) -> list[str]:
+    return [
+        f"{titles[label]}: {flight.outcome.status}: {flight.outcome.reason}"
+        for label, flight in flights.items()
+        if flight.outcome.status != "complete"
+    ]
+
+
+def _made(flights: Flights) -> list[str]:
+    """With what and where each flight was flown, and this page was made."""
+    lines: dict[str, list[str]] = {}
+    here = _provenance(versions(), machine())
     for label, flight in flights.items():
-        if flight.scenario.loop.name != "ftc":
-            continue
-        without = f"{flight.scenario.model}-no-ftc"
-        mine = metrics[label]["rmse_airspeed_mps"]
-        if without not in metrics or not mine or metrics[without]["rmse_airspeed_mps"] is None:
-            continue
-        theirs = metrics[without]["rmse_airspeed_mps"]
-        error = metrics[label]["effectiveness_thrust_error_max"]
-        told = "" if error is None else f"; the effectiveness is told to within {error:.2g}"
-        sentences.append(
-            f"{words.model_title(flight.scenario)}: airspeed RMSE {mine:.3f} m/s with FTC, "
-            f"{theirs:.2f} m/s without, {theirs / mine:.0f} times as much{told}."
-        )
-    return sentences
+        made = flight.provenance
+        line = here if made is None else _provenance(made.versions, made.machine)
+        lines.setdefault(line, []).append(label)
+    flown = [f"Flown ({', '.join(labels)}): {line}" for line, labels in lines.items()]
+    return [*flown, f"This page: {here}"] if list(lines) != [here] else [f"Flown here: {here}"]
 
 
-def _best(
-    figure: words.Figure, flights: dict[str, Flight], metrics: dict[str, Metrics]
-) -> set[str]:
-    """Labels of the flights with the least value among those of the same model and scenario.
-
-    Only where the values differ as they are shown, and among flights that were completed.
-    """
-    if not figure.key.startswith(("rmse", "peak_error", "effectiveness", "detection")):
-        return set()
-    groups: dict[tuple[str, str], dict[str, float]] = {}
-    for label, values in metrics.items():
-        if values[figure.key] is not None and values["status"] == "complete":
-            scenario = flights[label].scenario
-            groups.setdefault((scenario.name, scenario.model), {})[label] = values[figure.key]
-    best = set()
-    for group in groups.values():
-        texts = {label: words.shown(figure, metrics[label]) for label in group}
-        least = texts[min(group, key=group.__getitem__)]
-        if len(set(texts.values())) > 1:
-            best |= {label for label, text in texts.items() if text == least}
-    return best
-
-
-def _distinct_scenarios(flights: dict[str, Flight]) -> list[dict[str, str]]:
-    """Scenario texts, those that differ by model and loop alone counted once."""
-    texts: dict[str, list[str]] = {}
-    for label, flight in flights.items():
-        plain = flight.scenario.model_copy(update={"model": "paper"})
-        plain = plain.model_copy(update={"loop": plain.loop.model_copy(update={"name": "ftc"})})
-        texts.setdefault(scenario_toml(plain), []).append(label)
-    return [{"labels": ", ".join(labels), "text": text} for text, labels in texts.items()]
-
-
-def _inline(svg: str, name: str) -> markupsafe.Markup:
-    """An SVG without its XML head, its ids made unique, as wide as the page lets it."""
-    text = svg[svg.index("<svg") :]
-    text = re.sub(r'\bid="', f'id="{name}-', text)
-    text = re.sub(r'(xlink:href|href)="#', rf'\1="#{name}-', text)
-    text = text.replace("url(#", f"url(#{name}-")
-    return markupsafe.Markup(text)
+def _provenance(found: dict[str, str], where: str) -> str:
+    packages = ", ".join(f"{name} {version}" for name, version in found.items())
+    return f"{packages}; {where}"

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ftc_jsb.inner_loop.judge import Steps, step_window
-from ftc_jsb.report.figures import RC, REFERENCE, STYLES
+from ftc_jsb.report.figures.style import RC, REFERENCE, STYLES
 
 
 def steps_figure(title: str, flown: list[Steps]) -> Figure:

@@ -1,7 +1,8 @@
 """The result table on the terminal."""
 
 from ftc_jsb.metrics import Metrics, passed
-from ftc_jsb.report.words import FIGURES, shown, verdict
+from ftc_jsb.report.numbers import NUMBERS, present, shown
+from ftc_jsb.report.words import verdict
 
 COLUMNS = (
     "rmse_airspeed_mps",
@@ -28,9 +29,11 @@ def print_table(metrics: dict[str, Metrics]) -> None:
         (label,) = metrics
         table = Table("", label)
         table.columns[1].justify = "right"
-        for figure in FIGURES:
-            unit = f" [{figure.unit}]" if figure.unit else ""
-            table.add_row(Text(figure.title + unit), shown(figure, metrics[label]))
+        for number in present(metrics):
+            if number.group:
+                table.add_section()
+            unit = f" [{number.unit}]" if number.unit else ""
+            table.add_row(Text(number.title + unit), shown(number, metrics[label]))
         table.add_section()
         table.add_row("Verdict", *verdicts)
     else:
@@ -38,9 +41,9 @@ def print_table(metrics: dict[str, Metrics]) -> None:
         table = Table(title=title, box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
         table.add_column("flight", no_wrap=True)
         for heading in HEADINGS:
-            table.add_column(Text(heading), justify="right")
-        table.add_column("verdict", no_wrap=True)
-        chosen = {figure.key: figure for figure in FIGURES}
+            table.add_column(Text(heading), justify="right", no_wrap=True)
+        table.add_column("verdict")  # the one that may wrap
+        chosen = {number.key: number for number in NUMBERS}
         for (label, values), word in zip(metrics.items(), verdicts, strict=True):
             table.add_row(label, *(shown(chosen[key], values) for key in COLUMNS), word)
     Console().print(table)

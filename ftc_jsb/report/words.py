@@ -1,7 +1,6 @@
-"""Names of models, loops and numbers as a reader knows them."""
+"""Names of models, loops, faults and verdicts as a reader knows them."""
 
-from typing import NamedTuple
-
+from ftc_jsb.disturbance.signals import SENSED
 from ftc_jsb.metrics import Metrics
 from ftc_jsb.scenario.schema import Scenario
 
@@ -13,44 +12,22 @@ LOOPS = {
     "ekf": "with FTC (EKF)",
     "path": "path tracking with FTC",
 }
+CHANNEL_TITLES = {"thrust": "Thrust", "load_factor": "Load factor", "bank_angle": "Bank angle"}
 
 
-class Figure(NamedTuple):
-    """A number of the result table."""
-
-    key: str  # in metrics.json
-    title: str
-    unit: str
-    digits: int
-
-
-FIGURES = (
-    Figure("rmse_airspeed_mps", "RMSE airspeed", "m/s", 3),
-    Figure("rmse_flight_path_deg", "RMSE flight path", "deg", 4),
-    Figure("rmse_heading_deg", "RMSE heading", "deg", 4),
-    Figure("peak_error_airspeed_mps", "Peak error airspeed", "m/s", 2),
-    Figure("rmse_position_m", "RMSE position", "m", 1),
-    Figure("effectiveness_thrust_error_rms", "Effectiveness error RMS", "", 4),
-    Figure("effectiveness_thrust_error_max", "Effectiveness error max", "", 4),
-    Figure("detection_delay_s", "Detection delay", "s", 2),
-    Figure("false_alarms", "False alarms", "", 0),
-    Figure("saturated_fraction", "Time at a limit", "%", 1),
-    Figure("outside_identified_fraction", "Time outside fitted range", "%", 1),
-    Figure("peak_load_factor", "Peak load factor", "", 2),
-    Figure("peak_bank_deg", "Peak bank", "deg", 1),
-    Figure("peak_sideslip_deg", "Peak sideslip", "deg", 2),
-)
+def aircraft_title(scenario: Scenario) -> str:
+    """The aircraft's name, without its folder."""
+    return scenario.aircraft.name.replace("\\", "/").rstrip("/").split("/")[-1]
 
 
 def model_title(scenario: Scenario) -> str:
     """Model of a flight, as a heading."""
-    aircraft = scenario.aircraft.name.replace("\\", "/").rstrip("/").split("/")[-1]
     if scenario.model == "paper":
-        return "Point mass, paper's aircraft"
+        return "Point mass (paper)"
     if scenario.model == "identified":
-        return f"Point mass, identified {aircraft}"
+        return f"Point mass (identified {aircraft_title(scenario)})"
     stock = ", stock controls" if scenario.aircraft.flight_control == "stock" else ""
-    return f"JSBSim {aircraft}, 6-DOF{stock}"
+    return f"JSBSim {aircraft_title(scenario)}{stock}"
 
 
 def loop_title(scenario: Scenario) -> str:
@@ -58,17 +35,50 @@ def loop_title(scenario: Scenario) -> str:
     return LOOPS.get(scenario.loop.name, scenario.loop.name)
 
 
-def shown(figure: Figure, metrics: Metrics) -> str:
-    """A number of the table as text; a dash where the flight has none."""
-    value = metrics[figure.key]
-    if value is None:
-        return "–"
-    if figure.unit == "%":
-        value = 100.0 * value
-    text = f"{value:.{figure.digits}f}"
-    if float(text) == 0.0 and value != 0.0:  # say how small, not that it is nothing
-        return f"{value:.1e}"
-    return text
+def flight_title(scenario: Scenario) -> str:
+    """Model and loop of a flight, as the name of a line."""
+    return f"{model_title(scenario)}, {loop_title(scenario)}"
+
+
+def limit_title(name: str) -> str:
+    """Key of [limits] as words: `error_airspeed` is the airspeed error."""
+    words = name.removesuffix("_deg").split("_")
+    return " ".join([*words[1:], "error"] if words[0] == "error" else words)
+
+
+def fault_sentences(scenario: Scenario) -> list[str]:
+    """What each fault of a scenario does and when, from the keys of the file."""
+    sentences = []
+    for fault in scenario.fault:
+        keys = fault.model_dump(mode="json", exclude_none=True)
+        target, kind = str(keys.pop("target")), str(keys.pop("kind")).replace("-", " ")
+        start, end = keys.pop("start", None), keys.pop("end", None)
+        when = f" from {start:g} s" if start is not None else ""
+        when += f" to {end:g} s" if end is not None else ""
+        how = ", ".join(
+            str(value) if key == "shape" else f"{key.replace('_', ' ')} {value}"
+            for key, value in keys.items()
+            if (key, value) != ("shape", "step")
+        )
+        name = target.replace("_", " ").capitalize()
+        sentences.append(f"{name}: {kind}{when}" + (f" ({how})" if how else ""))
+    return sentences
+
+
+def air_and_sensors(scenario: Scenario) -> list[str]:
+    """Wind and sensors, where they are not still air and perfect ones."""
+    facts = []
+    wind, sensors = scenario.wind, scenario.sensors
+    if wind.speed > 0.0:
+        facts.append(f"Wind {wind.speed:g} m/s from {wind.from_deg:g}°")
+    if wind.turbulence != "none":
+        facts.append(f"{wind.turbulence.capitalize()} turbulence")
+    if wind.gust:
+        facts.append("Gusts")
+    own = any(getattr(sensors, name) is not None for name in SENSED)
+    if sensors.profile != "perfect" or own:
+        facts.append(f"{sensors.profile.capitalize()} sensors{', changed' if own else ''}")
+    return facts
 
 
 def verdict(metrics: Metrics) -> str:
@@ -78,4 +88,4 @@ def verdict(metrics: Metrics) -> str:
     broken = metrics["limits_broken"]
     if not broken:
         return "inside limits"
-    return f"limit broken: {broken[0]['name']} at {broken[0]['time']:.1f} s"
+    return f"limit broken: {limit_title(broken[0]['name'])} at {broken[0]['time']:.1f} s"

@@ -16,6 +16,13 @@ class Outcome(NamedTuple):
     reason: str
 
 
+class Provenance(NamedTuple):
+    """With what and where a flight was flown."""
+
+    versions: dict[str, str]  # by package
+    machine: str
+
+
 class Flight(NamedTuple):
     """A flown scenario."""
 
@@ -24,6 +31,7 @@ class Flight(NamedTuple):
     outcome: Outcome
     real_time_factor: float | None  # None for a recording that was read back
     commands: tuple[Applied, ...] = ()  # given in flight
+    provenance: Provenance | None = None  # of a recording that was read back; None: flown here
 
     @property
     def label(self) -> str:

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import os
 import platform
 import signal
 import threading
@@ -20,7 +21,7 @@ from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.load import parse_scenario, scenario_toml
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.commands import commands_json, parse_commands
-from ftc_jsb.simulation.flight import Flight, Outcome
+from ftc_jsb.simulation.flight import Flight, Outcome, Provenance
 from ftc_jsb.simulation.variables import ROW, VARIABLES
 from ftc_jsb.typed_file import Section, first_problem
 
@@ -52,6 +53,7 @@ def to_dataset(flight: Flight) -> "xarray.Dataset":
             "jsbsim_rate_hz": scenario.loop.rate * scenario.simulation.jsbsim_steps,
             "scenario": scenario_toml(scenario),
             "versions": json.dumps(versions()),
+            "machine": machine(),
             "aircraft_digest": aircraft_digest(scenario),
             "status": flight.outcome.status,
             "end_time_s": flight.outcome.time,
@@ -81,6 +83,17 @@ def versions() -> dict[str, str]:
         except PackageNotFoundError:
             continue
     return found
+
+
+def machine() -> str:
+    """Kind of machine, its processor as far as it says, and its cores."""
+    name = platform.processor() or platform.machine()
+    info = Path("/proc/cpuinfo")  # where Linux tells what `platform` does not
+    if info.is_file():
+        lines = info.read_text(encoding="utf-8", errors="replace").splitlines()
+        models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+        name = models[0] if models else name
+    return f"{platform.system()} {platform.machine()}, {name}, {os.cpu_count()} cores"
 
 
 def save(flight: Flight, path: Path) -> None:
@@ -160,4 +173,13 @@ def load(path: Path) -> Flight:
         raise RecordingError(f"{path}: commands: {first_problem(error, Section)}") from None
     status = cast(Any, attributes["status"])
     outcome = Outcome(status, float(attributes["end_time_s"]), str(attributes["reason"]))
-    return Flight(scenario, record, outcome, None, commands)
+    return Flight(scenario, record, outcome, None, commands, _provenance(attributes))
+
+
+def _provenance(attributes: dict[Any, Any]) -> Provenance:
+    """As the recording says; an older one does not name the machine."""
+    try:
+        found = {str(k): str(v) for k, v in json.loads(str(attributes["versions"])).items()}
+    except (KeyError, ValueError, AttributeError):
+        found = {}
+    return Provenance(found, str(attributes.get("machine", "machine not recorded")))

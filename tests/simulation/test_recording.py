@@ -8,7 +8,7 @@ import xarray
 
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.simulation.recording import load, save, to_dataset
+from ftc_jsb.simulation.recording import load, machine, save, to_dataset, versions
 from ftc_jsb.simulation.variables import ROW, VARIABLES
 
 
@@ -42,6 +42,14 @@ def test_any_netcdf_reader_finds_units_and_provenance(saved):
         assert dataset.attrs["outer_loop_rate_hz"] == 100.0
         assert dataset.attrs["jsbsim_rate_hz"] == 200.0
         assert {"ftc-jsb", "jsbsim", "numba"} <= set(json.loads(dataset.attrs["versions"]))
+
+
+def test_recording_says_with_what_and_where_it_was_flown(flown, saved):
+    assert flown("paper").provenance is None  # flown here
+    made = load(saved).provenance
+    assert made.versions == versions()
+    assert made.machine == machine()
+    assert "core" in made.machine
 
 
 def test_dataset_is_a_copy(flown):

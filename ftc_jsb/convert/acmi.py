@@ -1,0 +1,94 @@
+"""TacView's text format ACMI 2.2: position and attitude in time, faults as bookmarks.
+
+The format fixes the units: degrees, metres, m/s. A recording has no date, so the flight is at noon
+of the first day of 1970.
+"""
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ftc_jsb.disturbance.faults import fault_steps
+from ftc_jsb.simulation.flight import Flight
+
+RATE = 25.0  # Hz at most; TacView interpolates
+AIRCRAFT = "101"  # identity of the object, hexadecimal
+EARTH_RADIUS = 6_371_000.0  # m, mean; of the drop of the ground below the tangent plane
+REFERENCE_TIME = "1970-01-01T12:00:00Z"
+NUMBERS = (  # property, variable of the recording, factor
+    ("TAS", "airspeed", 1.0),  # m/s
+    ("Mach", "mach", 1.0),
+    ("AOA", "alpha", math.degrees(1.0)),  # deg
+    ("AOS", "sideslip", math.degrees(1.0)),  # deg
+)
+
+
+def write(flight: Flight, path: Path) -> None:
+    """Write one aircraft, at most 25 times a second of flight."""
+    with path.open("w", encoding="utf-8", newline="\n") as file:
+        for line in _lines(flight):
+            file.write(line + "\n")
+
+
+def _lines(flight: Flight) -> Iterator[str]:
+    scenario = flight.scenario
+    yield "FileType=text/acmi/tacview"
+    yield "FileVersion=2.2"
+    yield f"0,ReferenceTime={REFERENCE_TIME}"
+    yield f"0,Title={_text(scenario.title or scenario.name)}"
+    yield f"0,DataSource={_text('ftc-jsb, model ' + scenario.model)}"
+    yield "0,DataRecorder=ftc-jsb"
+    name = Path(scenario.aircraft.name).name
+    yield "#0"
+    yield f"{AIRCRAFT},Name={_text(name)},Type=Air+FixedWing,Pilot={_text(flight.label)}"
+    record = flight.record
+    step = max(math.ceil(scenario.loop.rate / RATE), 1)
+    faults = set(fault_steps(record["effectiveness_thrust"], scenario).tolist())
+    longitude, latitude = _places(flight)
+    for i in sorted({*range(0, record.size, step), *faults, record.size - 1}):
+        row = record[i]
+        if not math.isfinite(longitude[i] + latitude[i] + row["altitude"]):
+            continue
+        yield f"#{row['time']:.4g}" if row["time"] < 1.0 else f"#{row['time']:.3f}"
+        attitude = "|".join(_degrees(row[axis]) for axis in ("roll", "pitch", "yaw"))
+        place = f"{longitude[i]:.8f}|{latitude[i]:.8f}|{row['altitude']:.3f}"
+        yield f"{AIRCRAFT},T={place}|{attitude}{_numbers(row)}"
+        if i in faults:
+            effectiveness = row["effectiveness_thrust"]
+            yield f"0,Event=Bookmark|{AIRCRAFT}|Thrust effectiveness {effectiveness:.3g}"
+
+
+def _places(flight: Flight) -> tuple[Any, Any]:
+    """Longitude and latitude [deg], (rows,) each, of the way over the tangent plane (WGS 84)."""
+    from pymap3d import enu2geodetic
+
+    initial, record = flight.scenario.initial, flight.record
+    north, east = record["north"], record["east"]
+    # The ground falls away below the plane, so that a given altitude is lower over the plane.
+    up = record["altitude"] - initial.altitude - (north**2 + east**2) / (2.0 * EARTH_RADIUS)
+    origin = (initial.latitude_deg, initial.longitude_deg, initial.altitude)
+    latitude, longitude, _ = enu2geodetic(east, north, up, *origin)
+    return np.asarray(longitude), np.asarray(latitude)
+
+
+def _numbers(row: Any) -> str:
+    """What else the recording knows of this row; throttle beyond military is afterburner."""
+    known = [(name, factor * row[variable]) for name, variable, factor in NUMBERS]
+    known += [
+        ("Throttle", min(row["throttle"], 1.0)),
+        ("Afterburner", max(row["throttle"] - 1.0, 0.0)),
+    ]
+    return "".join(f",{name}={value:.6g}" for name, value in known if math.isfinite(value))
+
+
+def _degrees(angle: float) -> str:
+    """An angle in degrees within a turn; nothing where it is not known."""
+    return f"{math.degrees(math.remainder(angle, math.tau)):.5f}" if math.isfinite(angle) else ""
+
+
+def _text(text: str) -> str:
+    """A text property: commas and line ends are escaped."""
+    return text.replace(",", "\\,").replace("\n", "\\\n")

@@ -1,0 +1,216 @@
+"""What is drawn on the page: charts, their rows and their lines, as data for the page's script."""
+
+from typing import Any, NamedTuple
+
+from ftc_jsb.estimation.health import ACCELERATION, MEASURED, NIS_BOUND, SIGMAS
+from ftc_jsb.report.residuals import Residuals
+from ftc_jsb.report.response import AXES
+from ftc_jsb.report.series import Series
+from ftc_jsb.report.validity import MOTION
+from ftc_jsb.report.words import CHANNEL_TITLES
+from ftc_jsb.scenario.schema import CHANNELS
+
+ONCE = "reference"  # drawn once for a scenario, in ink
+LINE = "line"  # in the flight's colour and dash
+WIDE = "wide"  # behind a line, broad and pale: what was asked for
+BAND = "band"  # between two columns
+MARK = "mark"  # over a line, where something holds
+BOUND = "bound"  # thin and dotted, in the flight's colour
+
+
+class Line(NamedTuple):
+    """A line of every flight that has the columns."""
+
+    kind: str
+    columns: tuple[str, ...]
+
+
+class Row(NamedTuple):
+    """Lines over one time axis."""
+
+    label: str
+    lines: tuple[Line, ...]
+    bounds: tuple[float, ...] = ()  # constants that are drawn as lines
+    span: tuple[float, float] | None = None  # of the axis at first; None = what is there
+    decades: int = 0  # between ticks of a logarithmic axis; 0 = linear
+
+
+class Chart(NamedTuple):
+    """Rows over one time axis, or the trajectory."""
+
+    name: str
+    section: str
+    title: str
+    note: str
+    rows: tuple[Row, ...]
+
+
+def charts(series: dict[str, Series]) -> list[Chart]:
+    """The charts that these flights have data for."""
+    known = {name for flight in series.values() for name in flight.columns}
+    found = []
+    for chart in _all_charts():
+        rows = []
+        for row in chart.rows:
+            lines = tuple(line for line in row.lines if known.issuperset(line.columns))
+            if any(line.kind == LINE for line in lines):
+                rows.append(row._replace(lines=lines))
+        if rows:
+            found.append(chart._replace(rows=tuple(rows)))
+    return found
+
+
+def as_data(chart: Chart) -> dict[str, Any]:
+    """A chart as the script reads it."""
+    rows = [
+        {**row._asdict(), "lines": [line._asdict() for line in row.lines]} for row in chart.rows
+    ]
+    return {"name": chart.name, "title": chart.title, "rows": rows}
+
+
+def _all_charts() -> list[Chart]:
+    return [
+        Chart(
+            "states", "flights", "Airspeed, flight path, heading",
+            "Thin dark line: reference, output of the command filter. Dotted: the fault.",
+            (
+                Row("Airspeed [m/s]", (_line("airspeed"), _once("airspeed_ref"))),
+                Row("Flight path [deg]", (_line("flight_path"), _once("flight_path_ref"))),
+                Row("Heading [deg]", (_line("heading"), _once("heading_ref"))),
+            ),
+        ),
+        Chart(
+            "errors", "flights", "Tracking errors", "True value minus reference.",
+            (
+                Row("Airspeed [m/s]", (_line("error_airspeed"),)),
+                Row("Flight path [deg]", (_line("error_flight_path_deg"),)),
+                Row("Heading [deg]", (_line("error_heading_deg"),)),
+            ),
+        ),
+        *(_estimate(channel) for channel in CHANNELS),
+        Chart(
+            "controls", "flights", "Thrust command, load factor, bank",
+            "Commanded thrust is what a healthy engine would deliver.",
+            (
+                Row("Thrust [kN]", (_line("thrust_command"),)),
+                Row("Load factor [-]", (_line("load_factor_flown"),)),
+                Row("Bank [deg]", (_line("bank_angle_flown"),)),
+            ),
+        ),
+        Chart(
+            "trajectory", "flights", "Trajectory",
+            "Dot: the fault sets in. Ring: the time cursor.",
+            (Row("Altitude [km]", (Line(LINE, ("east", "north", "altitude")),)),),
+        ),
+        Chart(
+            "differences", "validity", "Point mass minus JSBSim, over time",
+            "Same scenario, same outer loop. In the colour of the point mass.",
+            (
+                *(
+                    Row(_labelled(v.title, v.unit), (_line(f"difference_{v.name}"),))
+                    for v in MOTION
+                ),
+                Row("Distance [m]", (_line("difference_position"),)),
+            ),
+        ),
+        Chart(
+            "response", "validity", "Inner loop: commanded and achieved",
+            "Broad and pale: command times true effectiveness. Line: what was flown.",
+            tuple(
+                Row(
+                    _labelled(axis.title, axis.unit),
+                    (Line(WIDE, (f"{axis.name}_wanted",)), _line(f"{axis.name}_flown")),
+                )
+                for axis in AXES
+            ),
+        ),
+        Chart(
+            "residuals", "validity", "Residual of the drag and thrust models",
+            "What the loop's own model says minus what was flown.",
+            tuple(
+                Row(title, (_line(f"residual_{name}"),))
+                for title, name in zip(
+                    ("Law's drag [kN]", "Filter's drag [kN]", "Thrust [kN]"),
+                    Residuals._fields,
+                    strict=True,
+                )
+            ),
+        ),
+        Chart(
+            "innovations", "estimator", "Innovations over their σ, and NIS",
+            "Dashed: 95 % bounds. A fault drives them far outside for a moment; double-click to see all.",
+            (
+                *(
+                    Row(title, (_line(f"innovation_{name}"),), (-SIGMAS, SIGMAS), (-5.0, 5.0))
+                    for name, title in zip(
+                        (*MEASURED, ACCELERATION),
+                        ("Airspeed [σ]", "Flight path [σ]", "Heading [σ]", "Acceleration [σ]"),
+                        strict=True,
+                    )
+                ),
+                Row("NIS [-]", (_line("nis"),), (NIS_BOUND,), decades=3),
+            ),
+        ),
+        Chart(
+            "detector", "estimator", "Detector and observability",
+            "A fault is declared above the dashed threshold, marked while it is. "
+            "Thick on σ: not observable, nothing is learnt there.",
+            (
+                Row("Statistic [-]", (_line("detector"), Line(MARK, ("declared",))), (1.0,)),
+                *(
+                    Row(
+                        f"σ, {CHANNEL_TITLES[channel].lower()} [-]",
+                        (
+                            _line(f"effectiveness_{channel}_deviation"),
+                            Line(MARK, (f"effectiveness_{channel}_lost",)),
+                        ),
+                        decades=1,
+                    )
+                    for channel in CHANNELS
+                ),
+            ),
+        ),
+        Chart(
+            "stability", "stability", "V(t) and the ball",
+            "Dotted: the bound on V(t), and the radius of the ball (40) around zero error.",
+            (
+                Row("V(t) of (37)", (_line("lyapunov"), Line(BOUND, ("lyapunov_bound",)))),
+                Row("‖e‖, scaled", (_line("scaled_error"), Line(BOUND, ("ball",)))),
+            ),
+        ),
+    ]  # fmt: skip
+
+
+def _estimate(channel: str) -> Chart:
+    name, title = f"effectiveness_{channel}", CHANNEL_TITLES[channel]
+    return Chart(
+        name, "flights", f"{title} effectiveness and its estimate",
+        "Thin dark line: the truth. Band: ±2σ, which knows of no error of the drag and thrust models.",
+        (
+            Row(
+                "Effectiveness [-]",
+                (
+                    Line(BAND, (f"{name}_low", f"{name}_high")),
+                    _line(f"{name}_estimate"),
+                    _once(f"{name}_true"),
+                ),
+            ),
+            Row(
+                "Error [-]",
+                (Line(BAND, (f"{name}_error_low", f"{name}_error_high")), _line(f"{name}_error")),
+                span=(-0.05, 0.05),
+            ),
+        ),
+    )  # fmt: skip
+
+
+def _line(column: str) -> Line:
+    return Line(LINE, (column,))
+
+
+def _once(column: str) -> Line:
+    return Line(ONCE, (column,))
+
+
+def _labelled(title: str, unit: str) -> str:
+    return f"{title} [{unit or '-'}]"

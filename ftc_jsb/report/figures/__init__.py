@@ -1,0 +1,1 @@
+"""Figures for print, with matplotlib: column-sized, readable in grey, as PDF, SVG and PNG."""

@@ -1,0 +1,126 @@
+"""Panels of a figure: a column for each model, a row for each variable, a line for each loop."""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import matplotlib as mpl
+import matplotlib.pyplot as plt
+import numpy as np
+import numpy.typing as npt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ftc_jsb.report.figures.style import FAULT, POINTS, RC, REFERENCE, STYLES, UNOBSERVABLE, width
+from ftc_jsb.report.marks import fault_times
+from ftc_jsb.report.words import loop_title, model_title
+from ftc_jsb.scenario.limits import tracking_errors
+from ftc_jsb.simulation.flight import Flight
+
+Flights = Mapping[str, Flight]
+Array = npt.NDArray[np.float64]
+
+
+class Row(NamedTuple):
+    """A variable: its name in the recording, its label, and its value in the label's unit."""
+
+    name: str
+    label: str
+    convert: Callable[[Array], Array]
+
+
+def panels(flights: Flights, rows: tuple[Row, ...], reference: bool) -> Figure:
+    """A figure of variables over time, of flights of one scenario."""
+    columns, styles = by_model(flights), loop_styles(flights)
+    with mpl.rc_context(RC):
+        figure, grid = plt.subplots(
+            len(rows), len(columns), figsize=(width(len(columns)), 1.2 * len(rows) + 0.6),
+            sharex=True, sharey="row", squeeze=False,
+        )  # fmt: skip
+        for column, (title, members) in enumerate(columns.items()):
+            head_column(grid[0, column], title, len(columns))
+            for number, row in enumerate(rows):
+                axes = grid[number, column]
+                for flight in members:
+                    style = styles[loop_title(flight.scenario)]
+                    record = thinned(flight.record)
+                    axes.plot(record["time"], row.convert(_values(record, row.name)), **style)
+                if reference:
+                    record = thinned(members[0].record)
+                    axes.plot(record["time"], row.convert(record[f"{row.name}_ref"]), **REFERENCE)
+                mark_faults(axes, members[0])
+                if column == 0:
+                    axes.set_ylabel(row.label)
+            grid[-1, column].set_xlabel("Time [s]")
+        figure.align_ylabels()
+        legend(figure, flights, reference="reference" if reference else None)
+    return figure
+
+
+def head_column(axes: Axes, title: str, columns: int) -> None:
+    """The model's name above its column; above a single one the caption says it."""
+    if columns > 1:
+        axes.set_title(title)
+
+
+def by_model(flights: Flights) -> dict[str, list[Flight]]:
+    """Flights by the title of their model, in the order flown."""
+    columns: dict[str, list[Flight]] = {}
+    for flight in flights.values():
+        columns.setdefault(model_title(flight.scenario), []).append(flight)
+    return columns
+
+
+def loop_styles(flights: Flights) -> dict[str, dict[str, Any]]:
+    """A style for each loop, the same in every column and in the legend."""
+    titles = dict.fromkeys(loop_title(flight.scenario) for flight in flights.values())
+    return {title: STYLES[number % len(STYLES)] for number, title in enumerate(titles)}
+
+
+def mark_faults(axes: Axes, flight: Flight) -> None:
+    """Dotted lines where faults set in or end."""
+    for time in fault_times(flight):
+        axes.axvline(time, **FAULT)
+
+
+def legend(
+    figure: Figure,
+    flights: Flights,
+    reference: str | None = None,
+    unobservable: bool = False,
+    faults: bool = True,
+) -> None:
+    """A line for each loop below the figure, and what else is drawn."""
+    styles = loop_styles(flights)
+    entries: dict[str, Any] = {
+        title: mpl.lines.Line2D([], [], **style) for title, style in styles.items()
+    }
+    if reference:
+        entries[reference] = mpl.lines.Line2D([], [], **REFERENCE)
+    if faults and any(map(fault_times, flights.values())):
+        entries["fault"] = mpl.lines.Line2D([], [], **FAULT)
+    if unobservable:
+        entries["not observable here"] = mpl.patches.Patch(**UNOBSERVABLE)
+    narrow = figure.get_figwidth() < 5.0  # [in]
+    figure.legend(
+        list(entries.values()), list(entries), loc="outside lower center",
+        ncols=min(len(entries), 2 if narrow and len(entries) > 3 else 5), columnspacing=1.0, handlelength=1.8,
+    )  # fmt: skip
+
+
+def thinned(record: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """As many rows as a line needs."""
+    return record[:: max(record.size // POINTS, 1)]
+
+
+def _values(record: npt.NDArray[Any], name: str) -> Array:
+    return tracking_errors(record)[name] if name.startswith("error_") else record[name]
+
+
+def same(values: Array) -> Array:
+    """As recorded."""
+    return values
+
+
+def kilo(values: Array) -> Array:
+    """N as kN, m as km."""
+    return values / 1e3

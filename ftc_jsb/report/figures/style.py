@@ -1,0 +1,63 @@
+"""What the figures for print share: sizes, fonts, line styles, and how they are saved."""
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
+
+COLUMN = 3.5  # [in], one column of a two-column page
+PAGE = 7.16  # [in], both columns
+POINTS = 1500  # of a line; more cannot be seen
+FORMATS = ("pdf", "svg", "png")
+
+# Okabe and Ito's colours, told apart by every eye; dashes tell them apart in grey.
+STYLES: tuple[dict[str, Any], ...] = (
+    {"color": "#0072B2", "linestyle": "-"},
+    {"color": "#D55E00", "linestyle": (0, (4, 1.5))},
+    {"color": "#009E73", "linestyle": (0, (1, 1))},
+    {"color": "#CC79A7", "linestyle": (0, (5, 1, 1, 1))},
+    {"color": "#56B4E9", "linestyle": (0, (2, 1))},
+)
+REFERENCE: dict[str, Any] = {"color": "#222222", "linestyle": "-", "linewidth": 0.6}
+FAULT: dict[str, Any] = {"color": "#666666", "linestyle": ":", "linewidth": 0.8}
+UNOBSERVABLE: dict[str, Any] = {"color": "#bbbbbb", "alpha": 0.35, "lw": 0}
+
+RC: dict[Any, Any] = {
+    "font.size": 8.0,
+    "axes.titlesize": 8.0,
+    "axes.labelsize": 8.0,
+    "xtick.labelsize": 7.0,
+    "ytick.labelsize": 7.0,
+    "axes.grid": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.axisbelow": True,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.5,
+    "lines.linewidth": 1.1,
+    "legend.frameon": False,
+    "legend.fontsize": 7.5,
+    "figure.constrained_layout.use": True,
+    "svg.fonttype": "none",
+    "svg.hashsalt": "ftc-jsb",
+    "pdf.fonttype": 42,
+}
+
+
+def width(columns: int) -> float:
+    """Width [in] of a figure with this many models beside each other."""
+    return COLUMN if columns == 1 else PAGE * max(columns, 3) / 3.0
+
+
+def save(figure: Figure, folder: Path, name: str) -> None:
+    """Write a figure in every format, the same bytes every time, and close it."""
+    dates = {"pdf": "CreationDate", "svg": "Date"}
+    with mpl.rc_context(RC):
+        figure.draw_without_rendering()  # lays out, once for all formats
+        figure.set_layout_engine("none")
+        for suffix in FORMATS:
+            metadata = {dates[suffix]: None} if suffix in dates else None
+            figure.savefig(folder / f"{name}.{suffix}", dpi=300, metadata=metadata)
+    plt.close(figure)

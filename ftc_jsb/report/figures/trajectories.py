@@ -1,0 +1,57 @@
+"""The paper's Figure 3: flown paths in space."""
+
+from typing import Any
+
+import matplotlib as mpl
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.figure import Figure
+
+from ftc_jsb.report.figures.panels import (
+    Flights,
+    by_model,
+    head_column,
+    legend,
+    loop_styles,
+    thinned,
+)
+from ftc_jsb.report.figures.style import RC, width
+from ftc_jsb.report.marks import onset
+from ftc_jsb.report.words import loop_title
+from ftc_jsb.simulation.flight import Flight
+
+
+def trajectories(flights: Flights) -> Figure:
+    """Figure 3: north, east and altitude; a dot where the fault sets in."""
+    columns, styles = by_model(flights), loop_styles(flights)
+    with mpl.rc_context(RC):
+        figure = plt.figure(figsize=(width(len(columns)), 3.0 if len(columns) == 1 else 2.5))
+        for number, (title, members) in enumerate(columns.items()):
+            axes: Any = figure.add_subplot(1, len(columns), number + 1, projection="3d")
+            for flight in members:
+                _draw(axes, flight, styles[loop_title(flight.scenario)])
+            head_column(axes, title, len(columns))
+            axes.set_xlabel("East [km]", labelpad=-6)
+            axes.set_ylabel("North [km]", labelpad=-4)
+            axes.set_zlabel("Altitude [km]", labelpad=-3)
+            axes.tick_params(pad=-3, labelsize=6.5)
+            axes.tick_params(axis="z", pad=0)
+            axes.set_box_aspect((1.0, 1.6, 0.8), zoom=1.05 if len(columns) == 1 else 0.85)
+            axes.view_init(elev=24, azim=-60)
+            axes.xaxis.set_major_locator(mpl.ticker.MaxNLocator(4))
+            axes.yaxis.set_major_locator(mpl.ticker.MaxNLocator(5))
+            axes.zaxis.set_major_locator(mpl.ticker.MaxNLocator(4))
+        legend(figure, flights, faults=False)
+    return figure
+
+
+def _draw(axes: Any, flight: Flight, style: dict[str, Any]) -> None:
+    record = thinned(flight.record)
+    axes.plot(record["east"] / 1e3, record["north"] / 1e3, record["altitude"] / 1e3, **style)
+    fault = onset(flight)
+    if fault is not None:
+        row = flight.record[np.searchsorted(flight.record["time"], fault)]
+        axes.plot(
+            [row["east"] / 1e3], [row["north"] / 1e3], [row["altitude"] / 1e3],
+            marker="o", markersize=3.5, color=style["color"],
+        )  # fmt: skip

@@ -1,0 +1,97 @@
+"""Every number that a report shows, as `metrics.json` holds it; and the series behind its charts."""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ftc_jsb.errors import UserError
+from ftc_jsb.metrics import Metrics, flight_metrics, passed
+from ftc_jsb.report.groups import by_scenario, loop_pairs, model_pairs
+from ftc_jsb.report.numbers import NUMBERS
+from ftc_jsb.report.residuals import Residuals, flight_residuals, residual_metrics
+from ftc_jsb.report.response import response_metrics
+from ftc_jsb.report.stability import flight_theory, stability_metrics
+from ftc_jsb.report.validity import compare_flights, judge
+from ftc_jsb.report.words import model_title
+from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.theory.stability import Stability
+
+Flights = Mapping[str, Flight]
+
+
+class Findings(NamedTuple):
+    """What is found in a set of flights."""
+
+    document: dict[str, Any]  # the contents of metrics.json
+    residuals: dict[str, Residuals]  # by label; left out where they cannot be had
+    theory: dict[str, Stability]  # likewise
+    problems: list[str]  # what could not be found, and why
+
+
+def find(flights: Flights) -> Findings:
+    """Analyse flights one by one and against each other; what fails is said and stops nothing else."""
+    problems: list[str] = []
+    residuals: dict[str, Residuals] = {}
+    theory: dict[str, Stability] = {}
+    metrics: dict[str, Metrics] = {}
+    for label, flight in flights.items():
+        entry = flight_metrics(flight)
+        entry["response"] = response_metrics(flight)
+        try:
+            residuals[label] = flight_residuals(flight)
+            entry["model_residuals"] = residual_metrics(flight, residuals[label])
+        except UserError as error:
+            entry["model_residuals"] = None
+            problems.append(f"{label}: no residuals of its models: {error}")
+        proof = flight_theory(flight)
+        if proof is not None and np.isfinite(proof.value).all():
+            theory[label] = proof
+        entry["stability"] = stability_metrics(theory.get(label))
+        metrics[label] = entry
+    validity = _validity(flights, metrics)
+    document = {
+        "flights": metrics,
+        "with_and_without": [_ratio(a, b, metrics) for a, b in loop_pairs(flights)],
+        "validity": validity,
+        "point_mass_told_the_truth": _truth(flights, validity),
+    }
+    return Findings(document, residuals, theory, problems)
+
+
+def _ratio(tolerant: str, plain: str, metrics: dict[str, Metrics]) -> dict[str, Any]:
+    """Every judged number without FTC over that with it; None where there is none or a zero."""
+    ratios = {}
+    for number in NUMBERS:
+        if not number.judged:
+            continue
+        above, below = metrics[plain].get(number.key), metrics[tolerant].get(number.key)
+        ratios[number.key] = None if above is None or not below else above / below
+    return {"with_ftc": tolerant, "without_ftc": plain, "ratio": ratios}
+
+
+def _validity(flights: Flights, metrics: dict[str, Metrics]) -> list[dict[str, Any]]:
+    return [
+        {
+            "point_mass": one,
+            "jsbsim": other,
+            "same_verdict": passed(metrics[one]) == passed(metrics[other]),
+            "variables": compare_flights(flights[one], flights[other]),
+        }
+        for one, other in model_pairs(flights)
+    ]
+
+
+def _truth(flights: Flights, validity: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """One answer a scenario and point mass, over all its loops."""
+    answers = []
+    for name, members in by_scenario(flights).items():
+        models: dict[str, list[dict[str, Any]]] = {}
+        for pair in validity:
+            if pair["point_mass"] in members:
+                title = model_title(flights[pair["point_mass"]].scenario)
+                models.setdefault(title, []).append(pair)
+        answers += [
+            {"scenario": name, "model": title, **judge(pairs)} for title, pairs in models.items()
+        ]
+    return answers

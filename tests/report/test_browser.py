@@ -1,0 +1,270 @@
+"""The page in a real browser, driven as a reader would: by mouse, by keyboard, on paper, on a phone."""
+
+import re
+import shutil
+
+import pytest
+
+CHROMIUM = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
+)
+pytestmark = pytest.mark.skipif(
+    CHROMIUM is None, reason="no Chromium on this machine; .ci/run installs it where it can"
+)
+ARGUMENTS = [
+    "--no-sandbox", "--disable-quic", "--disable-background-networking", "--disable-component-update",
+    "--disable-sync", "--no-first-run", "--enable-unsafe-swiftshader",
+]  # fmt: skip
+TIMES = ("states", "errors", "controls", "effectiveness_thrust", "differences", "response")
+
+
+@pytest.fixture(scope="module")
+def browser():
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        yield browser
+        browser.close()
+
+
+class Opened:
+    """A page of the report, with what it complained of and asked for."""
+
+    def __init__(self, browser, written, **context):
+        settings = {"viewport": {"width": 1280, "height": 900}, "offline": True} | context
+        self.context = browser.new_context(**settings)
+        self.page = self.context.new_page()
+        self.complaints: list[str] = []
+        self.requests: list[str] = []
+        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.page.on(
+            "console",
+            lambda said: self.complaints.append(said.text) if said.type == "error" else None,
+        )
+        self.page.on("request", lambda request: self.requests.append(request.url))
+        self.url = (written.folder / "report.html").as_uri()
+        self.page.goto(self.url)
+
+    def show(self, *names):
+        """Scroll charts into view, so that they are drawn."""
+        for name in names or self.charts():
+            self.page.locator(f"#chart-{name}").scroll_into_view_if_needed()
+            self.page.wait_for_selector(f"#chart-{name} .plot[data-drawn]", timeout=20_000)
+
+    def charts(self):
+        return self.page.eval_on_selector_all(".chart", "all => all.map(c => c.dataset.chart)")
+
+    def plot(self, name, expression):
+        """JavaScript on a chart's Plotly element, `gd`."""
+        return self.page.evaluate(
+            f"name => {{ const gd = document.querySelector(`#chart-${{name}} .plot`); return {expression}; }}",
+            name,
+        )
+
+    def cursor(self, name):
+        """Time [s] at which a chart draws the cursor, from where it is on the screen; None if hidden."""
+        return self.plot(
+            name,
+            "(() => { const m = gd.querySelector('.mark'), x = gd._fullLayout.xaxis;"
+            " return m.style.display === 'none' ? null : x.p2d(parseFloat(m.style.left) - x._offset); })()",
+        )
+
+
+@pytest.fixture
+def opened(browser, written):
+    page = Opened(browser, written)
+    yield page
+    page.context.close()
+
+
+def test_every_chart_draws_its_data_without_errors_or_requests(opened):
+    """Each chart has a line of many points for every flight that it is about, on axes that hold them."""
+    opened.show()
+    assert set(opened.charts()) >= {
+        *TIMES,
+        "trajectory",
+        "residuals",
+        "innovations",
+        "detector",
+        "stability",
+    }
+    for name in opened.charts():
+        sizes = opened.plot(
+            name,
+            "gd.data.map(t => [t.owners.length, Array.from(t.y).filter(Number.isFinite).length])",
+        )
+        lines = [count for _, count in sizes if count > 100]
+        assert len(lines) >= 4, name
+        if name != "trajectory":
+            paths = opened.plot(
+                name,
+                "[...gd.querySelectorAll('.js-line')].filter(p => p.getAttribute('d').length > 50).length",
+            )
+            assert paths >= 4, name
+    assert opened.complaints == []
+    assert [url for url in opened.requests if not url.startswith("data:")] == [opened.url]
+
+
+def test_charts_show_the_recorded_numbers(opened, written):
+    """Airspeed of the JSBSim flight in the chart is the recording's, to float32."""
+    opened.show("states")
+    label = list(written.flights).index("jsbsim-ftc")
+    x, y = opened.plot(
+        "states",
+        f"(() => {{ const t = gd.data.find(t => t.owners.length === 1 && t.owners[0] === {label});"
+        " return [Array.from(t.x), Array.from(t.y)]; })()",
+    )
+    record = written.flights["jsbsim-ftc"].record
+    for k in range(0, len(x), 97):
+        row = round(x[k] * 100)
+        assert y[k] == pytest.approx(record["airspeed"][row], rel=1e-6)
+
+
+def test_time_cursor_of_one_chart_is_that_of_all(opened):
+    """The mouse rests in one chart; the line is at that time in the others, and the slider says it."""
+    opened.show(*TIMES)
+    opened.show("states")
+    box = opened.page.locator("#chart-states .plot .nsewdrag").first.bounding_box()
+    opened.page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+    opened.page.wait_for_function("document.getElementById('now').textContent !== ''")
+    opened.page.wait_for_timeout(100)
+    now = float(opened.page.inner_text("#now").split()[0])
+    assert 25.0 < now < 35.0
+    for name in TIMES:
+        assert opened.cursor(name) == pytest.approx(now, abs=0.05)
+    assert float(opened.page.input_value("#cursor")) == pytest.approx(now, abs=0.01)
+
+
+def test_time_cursor_moves_by_keyboard_and_tells_the_values(opened, written):
+    opened.show("states")
+    opened.page.focus("#cursor")
+    opened.page.keyboard.press("End")
+    for _ in range(3):
+        opened.page.keyboard.press("ArrowLeft")
+    assert opened.page.inner_text("#now") == "59.97 s"
+    assert opened.cursor("states") == pytest.approx(59.97, abs=0.05)
+    opened.page.focus("#values summary")
+    opened.page.keyboard.press("Enter")
+    opened.page.wait_for_selector("#values tbody tr")
+    rows = opened.page.locator("#values tbody tr")
+    assert rows.count() == len(written.flights)
+    shown = float(rows.nth(0).locator("td").nth(1).inner_text())
+    assert shown == pytest.approx(written.flights["paper-ftc"].record["airspeed"][5997], abs=0.006)
+
+
+def test_flight_is_switched_off_in_every_chart_and_on_again(opened, written):
+    """By keyboard. Its lines go, the others and the reference stay."""
+    opened.show("states", "errors", "trajectory")
+    number = list(written.flights).index("jsbsim-no-ftc")
+
+    def lines(name):
+        return opened.plot(
+            name,
+            f"gd.data.filter(t => t.visible && t.owners.length === 1 && t.owners[0] === {number}).length",
+        )
+
+    def others(name):
+        return opened.plot(
+            name, f"gd.data.filter(t => t.visible && t.owners[0] !== {number}).length"
+        )
+
+    before = [(lines(name), others(name)) for name in ("states", "errors", "trajectory")]
+    assert all(mine > 0 for mine, _ in before)
+    opened.page.focus(f'#chips input[data-flight="{number}"]')
+    opened.page.keyboard.press("Space")
+    opened.show("states", "errors", "trajectory")
+    opened.page.wait_for_timeout(200)
+    after = [(lines(name), others(name)) for name in ("states", "errors", "trajectory")]
+    assert after == [(0, other) for _, other in before]
+    opened.page.keyboard.press("Space")
+    opened.show("states", "errors", "trajectory")
+    opened.page.wait_for_timeout(200)
+    assert [(lines(n), others(n)) for n in ("states", "errors", "trajectory")] == before
+
+
+def test_zoom_of_one_chart_is_that_of_all(opened):
+    """Dragged by mouse, typed in, and taken back."""
+    opened.show("states", "errors")
+    opened.show("states")
+    box = opened.page.locator("#chart-states .plot .nsewdrag").first.bounding_box()
+    middle = box["y"] + 0.5 * box["height"]
+    opened.page.mouse.move(box["x"] + 0.30 * box["width"], middle)
+    opened.page.mouse.down()
+    opened.page.mouse.move(box["x"] + 0.60 * box["width"], middle, steps=5)
+    opened.page.mouse.up()
+    opened.page.wait_for_timeout(500)
+    opened.show("errors")
+    low, high = opened.plot("errors", "gd._fullLayout.xaxis.range")
+    assert (low, high) == pytest.approx((18.0, 36.0), abs=1.0)
+    assert float(opened.page.input_value("#from")) == pytest.approx(low, abs=0.01)
+    opened.page.fill("#from", "5")
+    opened.page.fill("#to", "15")
+    opened.page.keyboard.press("Enter")
+    opened.show("states")
+    assert opened.plot("states", "gd._fullLayout.xaxis.range") == [5, 15]
+    opened.page.click("#all")
+    assert opened.plot("states", "gd._fullLayout.xaxis.range") == [0, 60]
+
+
+def test_trajectory_turns_by_mouse_and_by_keyboard(opened):
+    opened.show("trajectory")
+    eye = "(c => [c.eye.x, c.eye.y])(gd._fullLayout.scene._scene.getCamera())"
+    first = opened.plot("trajectory", eye)
+    opened.page.focus("#turn")
+    for _ in range(20):
+        opened.page.keyboard.press("ArrowRight")
+    second = opened.plot("trajectory", eye)
+    assert second != pytest.approx(first, abs=0.05)
+    box = opened.page.locator("#chart-trajectory .plot").bounding_box()
+    opened.page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+    opened.page.mouse.down()
+    opened.page.mouse.move(box["x"] + 0.7 * box["width"], box["y"] + 0.5 * box["height"], steps=8)
+    opened.page.mouse.up()
+    opened.page.wait_for_timeout(300)
+    assert opened.plot("trajectory", eye) != pytest.approx(second, abs=0.05)
+
+
+def test_page_prints_with_every_chart_in_light_colours(browser, written):
+    """From a dark screen; charts that were never scrolled to are on paper, too."""
+    opened = Opened(browser, written, color_scheme="dark")
+    pdf = opened.page.pdf(format="A4")
+    pages = len(re.findall(rb"/Type ?/Page\b", pdf))
+    assert pdf.startswith(b"%PDF")
+    assert pages >= 4
+    for name in opened.charts():
+        assert opened.plot(name, "gd.dataset.drawn") == "yes", name
+    assert opened.complaints == []
+    opened.context.close()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_page_fits_a_phone_in_light_and_dark(browser, written, scheme):
+    """420 px: nothing sticks out, and the first answer is on the first screen."""
+    opened = Opened(browser, written, color_scheme=scheme, viewport={"width": 420, "height": 850})
+    opened.show("states", "differences", "stability")
+    assert opened.page.evaluate("document.documentElement.scrollWidth") <= 420
+    background = opened.page.evaluate("getComputedStyle(document.body).backgroundColor")
+    assert (background == "rgb(255, 255, 255)") == (scheme == "light")
+    ink = opened.plot("states", "gd.querySelector('.ytick text').style.fill")
+    assert (sum(map(int, re.findall(r"\d+", ink)[:3])) > 380) == (scheme == "dark")
+    opened.page.evaluate("scrollTo(0, 0)")
+    first = opened.page.locator(".badge").first.bounding_box()
+    assert first["y"] + first["height"] < 850
+    assert opened.complaints == []
+    opened.context.close()
+
+
+def test_everything_that_can_be_worked_can_be_reached_by_tab(opened):
+    """Sections, theme, tables that scroll, flights, time, window, values, turn, files, scenario."""
+    reached = set()
+    for _ in range(80):
+        opened.page.keyboard.press("Tab")
+        reached.add(
+            opened.page.evaluate(
+                "(e => e.id || e.dataset.flight || e.tagName + '.' + e.className)(document.activeElement)"
+            )
+        )
+    assert {"theme", "cursor", "from", "to", "all", "turn", "true-scale", "0", "5"} <= reached
+    assert "DIV.scroll" in reached
+    assert "SUMMARY." in reached
