@@ -267,29 +267,6 @@ def replay(recording: Path, **live: Any) -> None:
 
 
 @main.command()
-@click.argument("recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path))
-@click.option("--to", "format_", metavar="FORMAT", required=True, help="See docs/scenarios.md.")
-@click.option(
-    "--out", metavar="FILE", type=click.Path(path_type=Path), help="Default: beside the recording."
-)
-@click.option("--force", is_flag=True, help="Write over FILE.")
-def convert(recording: Path, format_: str, out: Path | None, force: bool) -> None:
-    """Write a recording in the format of another program."""
-    from ftc_jsb.convert import FORMATS
-    from ftc_jsb.convert import convert as write
-    from ftc_jsb.errors import RecordingError
-    from ftc_jsb.simulation.recording import load
-
-    if format_ not in FORMATS:
-        raise RecordingError(f"--to {format_}: no such format; expected {', '.join(FORMATS)}")
-    path = out or recording.with_suffix(FORMATS[format_].suffix)
-    if path.exists() and not force:
-        raise RecordingError(f"{path}: exists; give another file by --out, or --force")
-    write(load(recording), format_, path)
-    click.echo(f"Written: {path}")
-
-
-@main.command()
 @click.argument("file", metavar="FILE")
 @_set_option
 def check(file: str, overrides: tuple[str, ...]) -> None:
