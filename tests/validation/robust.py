@@ -101,6 +101,19 @@ def robust_table(scenario: str = "paper") -> Iterator[str]:
         yield row(title, many(scenario, *overrides, seeds=seeds))
 
 
+def fighters_robust_table(seeds: int = SEEDS) -> Iterator[str]:
+    """The loop `robust` on each fighter's scenario, tactical sensors and moderate turbulence."""
+    from tests.validation.fighters import SCENARIOS
+
+    yield (
+        "| fighter | effectiveness error, 95 % of all samples | largest | slowest detection [s] "
+        "| not detected | false alarms | median RMSE V [m/s] | complete |"
+    )
+    yield "|" + "---|" * 8
+    for name, scenario in SCENARIOS.items():
+        yield row(name, many(scenario, "loop.name=robust", *DISTURBED, seeds=seeds))
+
+
 def false_alarms_table(scenario: str = "paper") -> Iterator[str]:
     """Fault-free flights of ten minutes."""
     yield "| loop | flights | hours | false alarms | largest effectiveness error |"
