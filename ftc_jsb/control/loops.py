@@ -1,6 +1,7 @@
 """The registry of outer loops, and what makes each flyable on a recording."""
 
 import importlib
+import math
 import sys
 from collections.abc import Callable
 from importlib.metadata import entry_points
@@ -103,7 +104,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["bank_share"] = loop.bank_share
     s["drag_correction"] = loop.drag_correction
     s["speed_first"] = loop.priority == "speed"
-    s["trim_filter"] = loop.trim_filter
+    s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
     s["effectiveness_floor"] = loop.effectiveness_floor
     if loop.response_lead:
         for axis in range(2):  # a second-order lag is late by 2 z / w
@@ -113,6 +114,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["lead_filter"] = (
         min(loop.lead_filter, ROBUST_LEAD_FILTER) if kind.robust else loop.lead_filter
     )
+    s["lead_share"] = 1.0 - math.exp(-s["lead_filter"] * dt)
     size = len(estimator.process_noise)
     s["process_noise"][:size] = estimator.process_noise
     s["measurement_noise"] = estimator.measurement_noise

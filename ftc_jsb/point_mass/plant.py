@@ -16,6 +16,10 @@ from ftc_jsb.point_mass.motion import (
 from ftc_jsb.scenario.schema import Initial
 
 
+SHORT_STEP = 0.0025  # [s], where engine, inner loop or wind are integrated
+LONG_STEP = 0.01  # [s], where (41)-(42) are all there is: RK4 is exact to rounding then
+
+
 class PointMassPlant:
     """A `Plant` on the equations of motion (41)-(42)."""
 
@@ -25,14 +29,14 @@ class PointMassPlant:
         wind: npt.NDArray[Any],
         initial: Initial,
         dt: float,
-        substeps: int,
+        substeps: int | None = None,
     ) -> None:
         """Args: (1,) MODEL; (1,) WIND; initial condition; sample time [s]; Runge-Kutta steps a sample."""
         self.model = model
         self.wind = wind
         self._initial = initial
         self.dt = dt
-        self.substeps = substeps
+        self.substeps = substeps or substeps_needed(model, wind, dt)
         self.state = np.zeros(1, POINT_MASS_STATE)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
@@ -63,3 +67,11 @@ class PointMassPlant:
 
     def close(self) -> None:
         """Nothing to release."""
+
+
+def substeps_needed(model: npt.NDArray[Any], wind: npt.NDArray[Any], dt: float) -> int:
+    """Runge-Kutta steps that a sample of `dt` seconds takes."""
+    m = model[0]
+    lags = m["spool_up"][0] > 0.0 or np.any(m["response_frequency"] > 0.0)
+    longest = SHORT_STEP if lags or wind[0]["still"] == 0 else LONG_STEP
+    return max(1, math.ceil(dt / longest - 1e-9))
