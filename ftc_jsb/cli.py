@@ -435,6 +435,19 @@ def margins(
         click.echo(f"Written: {folder / 'margins.json'}, {folder / 'bode.png'}")
 
 
+@main.command()
+@_json_option
+def bench(as_json: bool) -> None:
+    """Measure what steps, flights and commands cost, in about two minutes."""
+    from ftc_jsb.bench.report import lines, measure_all
+
+    found = measure_all(lambda line: click.echo(line, err=True))
+    if as_json:
+        click.echo(json.dumps(found, indent=2))
+    else:
+        click.echo("\n".join(lines(found)))
+
+
 # --- what the commands share ------------------------------------------------------------------
 
 

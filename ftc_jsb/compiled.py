@@ -71,7 +71,7 @@ def inlined(function: Kernel) -> Kernel:
     return _cached(function, forceinline=True)
 
 
-def _cached(function: Kernel, **options: bool) -> Kernel:
+def _cached(function: Kernel, **options: Any) -> Kernel:
     config: Any = numba.config
     previous = config.CACHE_DIR
     config.CACHE_DIR = str(kernel_cache())

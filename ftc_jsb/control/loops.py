@@ -4,6 +4,7 @@ import importlib
 import math
 import sys
 from collections.abc import Callable
+from functools import cached_property, partial
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
@@ -78,13 +79,17 @@ class CompiledLoop:
         filters["count"] = 3 + len(loop.estimator.channels)
         for index, channel in enumerate(loop.estimator.channels):
             filters["channel"][index] = CHANNELS.index(channel)
-        self._model = model
+        self.model = model
         self._record = record
-        self._step = direct(outer_loop_step, self.settings, model, self.state, record, 0)
+
+    @cached_property
+    def _step(self) -> Callable[[int], Any]:
+        given = (self.settings, self.model, self.state, self._record)
+        return partial(direct(outer_loop_step, *given, 0), *given)
 
     def step(self, i: int) -> None:
         """One sample."""
-        self._step(self.settings, self._model, self.state, self._record, i)
+        self._step(i)
 
 
 def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]:

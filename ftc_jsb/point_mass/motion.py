@@ -20,7 +20,11 @@ from ftc_jsb.trigonometry import turned
 
 STATES = 10
 ANGLES = np.dtype(
-    [(f"{what}{angle}", float) for angle in ("path", "heading", "bank") for what in ("", "cos_", "sin_")]
+    [
+        (f"{what}{angle}", float)
+        for angle in ("path", "heading", "bank")
+        for what in ("", "cos_", "sin_")
+    ]
 )
 POINT_MASS_STATE = np.dtype(
     [

@@ -1,6 +1,8 @@
 """The point mass as a plant."""
 
 import math
+from collections.abc import Callable
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -14,7 +16,6 @@ from ftc_jsb.point_mass.motion import (
     trim_thrust,
 )
 from ftc_jsb.scenario.schema import Initial
-
 
 SHORT_STEP = 0.0025  # [s], where engine, inner loop or wind are integrated
 LONG_STEP = 0.01  # [s], where (41)-(42) are all there is: RK4 is exact to rounding then
@@ -52,18 +53,26 @@ class PointMassPlant:
             model, initial.airspeed, initial.altitude, path
         )
         self._record = record
-        truth = (model, self.wind, self.state, record, 0, self.dt)
-        self._truth = direct(point_mass_truth, *truth)
-        step = (model, self.wind, self.state, record, 0, self.dt, self.substeps)
-        self._step = direct(point_mass_step, *step)
+
+    @property
+    def _all(self) -> tuple[Any, ...]:
+        return self.model, self.wind, self.state, self._record
+
+    @cached_property  # a flight in compiled stretches needs neither
+    def _truth(self) -> Callable[..., Any]:
+        return direct(point_mass_truth, *self._all, 0, self.dt)
+
+    @cached_property
+    def _step(self) -> Callable[..., Any]:
+        return direct(point_mass_step, *self._all, 0, self.dt, self.substeps)
 
     def truth(self, i: int) -> None:
         """Write the state to row `i`."""
-        self._truth(self.model, self.wind, self.state, self._record, i, self.dt)
+        self._truth(*self._all, i, self.dt)
 
     def step(self, i: int) -> None:
         """Fly the commands of row `i` for one sample."""
-        self._step(self.model, self.wind, self.state, self._record, i, self.dt, self.substeps)
+        self._step(*self._all, i, self.dt, self.substeps)
 
     def close(self) -> None:
         """Nothing to release."""

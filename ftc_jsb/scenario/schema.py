@@ -315,6 +315,7 @@ class Simulation(Section):
     jsbsim_steps: int = Field(2, ge=1, le=100)  # JSBSim frames a sample: 200 Hz at 100 Hz
     # Runge-Kutta steps a sample; by default 2.5 ms long, 10 ms where nothing lags and the air is still
     point_mass_steps: int | None = Field(None, ge=1, le=1000)
+    record_every: int = Field(1, ge=1, le=10000)  # samples a row of the saved recording
 
 
 _Range = tuple[_Bound, _Bound]
