@@ -475,7 +475,9 @@ def _announce(scenario: "Scenario") -> None:
     from ftc_jsb.compiled import is_first_run
 
     if is_first_run():
-        click.echo("Compiling the numerical kernels (first run only, about 15 s) ...", err=True)
+        click.echo(
+            "Compiling the numerical kernels (first run only, about half a minute) ...", err=True
+        )
 
 
 def _progress_for(scenario: "Scenario", quiet: bool) -> Any:

@@ -17,7 +17,7 @@ from ftc_jsb.point_mass.motion import (
 )
 from ftc_jsb.scenario.schema import Initial
 
-SHORT_STEP = 0.0025  # [s], where engine, inner loop or wind are integrated
+SHORT_STEP = 0.0025  # [s], where engine, inner loop or changing wind are integrated
 LONG_STEP = 0.01  # [s], where (41)-(42) are all there is: RK4 is exact to rounding then
 
 
@@ -82,5 +82,7 @@ def substeps_needed(model: npt.NDArray[Any], wind: npt.NDArray[Any], dt: float) 
     """Runge-Kutta steps that a sample of `dt` seconds takes."""
     m = model[0]
     lags = m["spool_up"][0] > 0.0 or np.any(m["response_frequency"] > 0.0)
-    longest = SHORT_STEP if lags or wind[0]["still"] == 0 else LONG_STEP
+    w = wind[0]
+    changing = np.any(w["shear"]) or w["gusts"] > 0 or np.any(w["turbulence"])
+    longest = SHORT_STEP if lags or changing else LONG_STEP
     return max(1, math.ceil(dt / longest - 1e-9))
