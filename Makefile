@@ -5,13 +5,17 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 STATIONS := $(VENV)/.stations
 
-.PHONY: demo test validate hostile inner-loops lint format golden clean
+.PHONY: demo test bench validate hostile inner-loops lint format golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
 
 test: lint $(STATIONS)  ## Every check
 	$(BIN)/pytest -n 2
+
+bench: $(READY)  ## Cost of steps, flights and commands, against the targets
+	$(BIN)/ftc-jsb bench
+	$(BIN)/pytest -n 0 tests/benchmarks --benchmark-enable
 
 validate: $(READY)  ## Long flights and many flights; writes docs/validation.md
 	$(BIN)/python -m tests.validation

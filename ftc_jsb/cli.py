@@ -412,6 +412,19 @@ def margins(
         click.echo(f"Written: {folder / 'margins.json'}, {folder / 'bode.png'}")
 
 
+@main.command()
+@_json_option
+def bench(as_json: bool) -> None:
+    """Measure what steps, flights and commands cost, in about two minutes."""
+    from ftc_jsb.bench.report import lines, measure_all
+
+    found = measure_all(lambda line: click.echo(line, err=True))
+    if as_json:
+        click.echo(json.dumps(found, indent=2))
+    else:
+        click.echo("\n".join(lines(found)))
+
+
 # --- what the commands share ------------------------------------------------------------------
 
 
@@ -439,7 +452,9 @@ def _announce(scenario: "Scenario") -> None:
     from ftc_jsb.compiled import is_first_run
 
     if is_first_run():
-        click.echo("Compiling the numerical kernels (first run only, about 15 s) ...", err=True)
+        click.echo(
+            "Compiling the numerical kernels (first run only, about half a minute) ...", err=True
+        )
 
 
 def _progress_for(scenario: "Scenario", quiet: bool) -> Any:

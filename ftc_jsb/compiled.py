@@ -60,11 +60,23 @@ def compiled(function: Kernel) -> Kernel:
     Division by zero gives inf or nan as in NumPy (a departed flight is reported by the monitor,
     not by an exception), and fast-math stays off: the same flight is bit-identical every time.
     """
+    return _cached(function)
+
+
+def inlined(function: Kernel) -> Kernel:
+    """As `compiled`, and always a part of the kernels that call it.
+
+    A `Condition` is twenty numbers: handing it over costs more than a rate of (41) does.
+    """
+    return _cached(function, forceinline=True)
+
+
+def _cached(function: Kernel, **options: Any) -> Kernel:
     config: Any = numba.config
     previous = config.CACHE_DIR
     config.CACHE_DIR = str(kernel_cache())
     try:
-        return cast(Kernel, numba.njit(cache=True, error_model="numpy")(function))
+        return cast(Kernel, numba.njit(cache=True, error_model="numpy", **options)(function))
     finally:
         config.CACHE_DIR = previous
 

@@ -36,6 +36,8 @@ def attitude_from_path(path: float, bank: float, alpha: float) -> tuple[float, f
     The body's x axis is the velocity turned up by alpha in the plane of symmetry, which bank turns
     about the velocity.
     """
+    if alpha == 0.0:
+        return continuous(bank, 0.0), path, 0.0
     sa, ca = math.sin(alpha), math.cos(alpha)
     sg, cg = math.sin(path), math.cos(path)
     sm, cm = math.sin(bank), math.cos(bank)

@@ -112,8 +112,12 @@ def unobservable(flight: Flight, channel: Channel) -> npt.NDArray[np.bool_]:
     if estimator.tuning == "sensors":
         return np.zeros(record.size, dtype=bool)
     variance = record[f"effectiveness_{channel}_std"] ** 2
-    steps = max(round(0.5 * flight.scenario.loop.rate), 1)
     noise = estimator.process_noise[3 + estimator.channels.index(channel)]
+    if record.size < 2:
+        return np.zeros(record.size, dtype=bool)
+    row = float(record["time"][1] - record["time"][0])  # [s]; a saved recording may be thinner
+    steps = max(round(0.5 / row), 1)
+    noise *= round(row * flight.scenario.loop.rate)
     result = np.zeros(record.size, dtype=bool)
     if record.size > steps:
         result[steps:] = variance[steps:] - variance[:-steps] > 0.5 * steps * noise

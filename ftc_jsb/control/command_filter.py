@@ -20,6 +20,8 @@ COMMAND_FILTER = np.dtype(
         ("value", float, (3,)),  # airspeed, flight path angle, heading
         ("slope", float, (3,)),
         ("position", float, (3,)),  # north, east, altitude [m] of the path that they make
+        ("velocity", float, (3,)),  # on it [m/s]
+        ("acceleration", float, (3,)),  # [m/s^2]
     ]
 )
 
@@ -54,6 +56,7 @@ def command_filter(
     filters["from_now"][0] = step[:2, 2] - step[:2, 3]
     filters["value"][0] = initial
     filters["position"][0] = position
+    filters["velocity"][0] = velocity(*filters["value"][0])  # at rest: no acceleration
     return filters
 
 
@@ -95,23 +98,22 @@ def reference_step(filters: Any, record: Any, i: int) -> None:
     if i + 1 == record.size:
         return
     after = record[i + 1]
-    _advance(f, 0, row.airspeed_cmd_raw, after.airspeed_cmd_raw)
-    _advance(f, 1, row.flight_path_angle_cmd_raw, after.flight_path_angle_cmd_raw)
-    _advance(f, 2, row.heading_cmd_raw, after.heading_cmd_raw)
-    _travel(f, row, after.time - row.time)
+    now = (row.airspeed_cmd_raw, row.flight_path_angle_cmd_raw, row.heading_cmd_raw)
+    following = (after.airspeed_cmd_raw, after.flight_path_angle_cmd_raw, after.heading_cmd_raw)
+    for k in range(3):
+        _advance(f, k, now[k], following[k])
+    _travel(f, after.time - row.time)
 
 
 @compiled
-def _travel(f: Any, row: Any, dt: float) -> None:
+def _travel(f: Any, dt: float) -> None:
     """The path of the references: (42) integrated with them, by Hermite's rule (order 4)."""
-    before = (row.airspeed_ref, row.flight_path_angle_ref, row.heading_ref)
-    slope = (row.airspeed_ref_rate, row.flight_path_angle_ref_rate, row.heading_ref_rate)
-    now = (f.value[0], f.value[1], f.value[2])
-    now_slope = (f.slope[0], f.slope[1], f.slope[2])
-    v0, v1 = velocity(*before), velocity(*now)
-    a0, a1 = acceleration(*before, *slope), acceleration(*now, *now_slope)
+    value, slope = (f.value[0], f.value[1], f.value[2]), (f.slope[0], f.slope[1], f.slope[2])
+    v, a = velocity(*value), acceleration(*value, *slope)
     for k in range(3):
-        f.position[k] += 0.5 * dt * (v0[k] + v1[k]) + dt * dt / 12.0 * (a0[k] - a1[k])
+        f.position[k] += 0.5 * dt * (f.velocity[k] + v[k])
+        f.position[k] += dt * dt / 12.0 * (f.acceleration[k] - a[k])
+        f.velocity[k], f.acceleration[k] = v[k], a[k]
 
 
 @compiled

@@ -75,9 +75,10 @@ def control_law(
     bank_angle = effectiveness[2] * trim_bank_angle
     force, force_to_thrust, force_to_load = airspeed_row(at, airspeed, thrust, load_factor)
     cos_bank, sin_bank = math.cos(bank_angle), math.sin(bank_angle)
-    rates = path_rates(at, airspeed, flight_path_angle, force, load_factor, cos_bank, sin_bank)
+    cos_path, sin_path = math.cos(flight_path_angle), math.sin(flight_path_angle)
+    rates = path_rates(at, airspeed, cos_path, sin_path, force, load_factor, cos_bank, sin_bank)
     climb = airspeed / at.gravity * (flight_path_rate - rates[1])
-    turn = airspeed / at.gravity * math.cos(flight_path_angle) * (heading_rate - rates[2])
+    turn = airspeed / at.gravity * cos_path * (heading_rate - rates[2])
     divisor = load_factor
     if abs(divisor) < SMALLEST_LOAD_FACTOR:
         divisor = math.copysign(SMALLEST_LOAD_FACTOR, load_factor)

@@ -20,10 +20,11 @@ LOOP_SETTINGS = np.dtype(
         ("bank_share", float),  # of the way to the load factor for the bank that is there
         ("drag_correction", np.int64),  # 1: the law pays for drag that is measured beyond the polar
         ("speed_first", np.int64),  # 1: climb and turn are given up before airspeed
-        ("trim_filter", float),  # zeta of (10) [1/s]
+        ("trim_share", float),  # of the way to u that (10) goes in a sample
         ("effectiveness_floor", float),  # sigma: the least effectiveness the law divides by
         ("lead", float, (2,)),  # [s] of load factor and bank, against the inner loop's lag
         ("lead_filter", float),  # [1/s] of the rate that it takes
+        ("lead_share", float),  # of the way that this filter goes in a sample
         ("process_noise", float, (STATES,)),
         ("measurement_noise", float, (OUTPUTS,)),
         ("initial_covariance", float, (STATES,)),

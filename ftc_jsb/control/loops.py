@@ -1,8 +1,10 @@
 """The registry of outer loops, and what makes each flyable on a recording."""
 
 import importlib
+import math
 import sys
 from collections.abc import Callable
+from functools import cached_property, partial
 from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
@@ -77,13 +79,17 @@ class CompiledLoop:
         filters["count"] = 3 + len(loop.estimator.channels)
         for index, channel in enumerate(loop.estimator.channels):
             filters["channel"][index] = CHANNELS.index(channel)
-        self._model = model
+        self.model = model
         self._record = record
-        self._step = direct(outer_loop_step, self.settings, model, self.state, record, 0)
+
+    @cached_property
+    def _step(self) -> Callable[[int], Any]:
+        given = (self.settings, self.model, self.state, self._record)
+        return partial(direct(outer_loop_step, *given, 0), *given)
 
     def step(self, i: int) -> None:
         """One sample."""
-        self._step(self.settings, self._model, self.state, self._record, i)
+        self._step(i)
 
 
 def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]:
@@ -103,7 +109,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["bank_share"] = loop.bank_share
     s["drag_correction"] = loop.drag_correction
     s["speed_first"] = loop.priority == "speed"
-    s["trim_filter"] = loop.trim_filter
+    s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
     s["effectiveness_floor"] = loop.effectiveness_floor
     if loop.response_lead:
         for axis in range(2):  # a second-order lag is late by 2 z / w
@@ -113,6 +119,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["lead_filter"] = (
         min(loop.lead_filter, ROBUST_LEAD_FILTER) if kind.robust else loop.lead_filter
     )
+    s["lead_share"] = 1.0 - math.exp(-s["lead_filter"] * dt)
     size = len(estimator.process_noise)
     s["process_noise"][:size] = estimator.process_noise
     s["measurement_noise"] = estimator.measurement_noise

@@ -249,9 +249,7 @@ def _decide(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     row.load_factor_cmd = min(max(with_lead, m.load_factor_min), load_max)
     row.bank_angle_cmd = x.demand[2] + s.lead[1] * bank_rate
     x.command[0], x.command[1] = row.load_factor_cmd, row.bank_angle_cmd
-    share = 1.0 - math.exp(-s.trim_filter * s.dt)
-    for k in range(CHANNELS):  # (10), exact for a command held over the sample
-        x.trim[k] += share * (x.demand[k] - x.trim[k])
-    share = 1.0 - math.exp(-s.lead_filter * s.dt)
+    for k in range(CHANNELS):  # (10)
+        x.trim[k] += s.trim_share * (x.demand[k] - x.trim[k])
     for axis in range(2):
-        x.slow[axis] += share * (x.demand[1 + axis] - x.slow[axis])
+        x.slow[axis] += s.lead_share * (x.demand[1 + axis] - x.slow[axis])

@@ -175,10 +175,11 @@ def schedule(
         first: row.
     """
     times = np.ascontiguousarray(record["time"][first:])
-    table = np.empty((times.size, len(SCHEDULE)))
+    columns = record.dtype.names or ()
+    place = columns.index(SCHEDULE[0])  # they stand side by side
+    width = len(columns)
+    table = record.view(np.float64).reshape(-1, width)[first:, place : place + len(SCHEDULE)]
     direct(_scheduled, faults, times, engines, table)(faults, times, engines, table)
-    for column, name in enumerate(SCHEDULE):
-        record[name][first:] = table[:, column]
 
 
 def fault_steps(truth: npt.NDArray[np.float64], scenario: Scenario) -> npt.NDArray[np.int64]:
@@ -188,8 +189,9 @@ def fault_steps(truth: npt.NDArray[np.float64], scenario: Scenario) -> npt.NDArr
         truth: (rows,) of one channel.
         scenario: that was flown.
     """
+    row = scenario.simulation.record_every / scenario.loop.rate  # [s], at most
     ramps = [
-        (1.0 - fault.effectiveness) / fault.rise / scenario.loop.rate
+        (1.0 - fault.effectiveness) / fault.rise * row
         for fault in scenario.fault
         if fault.effectiveness is not None and fault.rise is not None
     ]

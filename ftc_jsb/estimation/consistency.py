@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.estimation.cholesky import cholesky, cholesky_solve
-from ftc_jsb.estimation.process import FILTER, OUTPUTS, Forcing, propagate
+from ftc_jsb.estimation.process import FILTER, OUTPUTS, Forcing, axes, propagate
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update
 from ftc_jsb.point_mass.model import at_condition
@@ -115,7 +115,11 @@ def _fly(
     for i in range(inputs.shape[0]):
         at = at_condition(model[0], f.estimate[0], altitude)
         forcing = Forcing(inputs[i, 0], inputs[i, 1], inputs[i, 2], False, 0.0, 0.0)
-        propagate(at, forcing, f, truth, dt)
+        for a in range(truth.size):
+            f.points[0, a] = truth[a]
+        propagate(at, forcing, axes(forcing, truth[1]), f, 1, dt)
+        for a in range(truth.size):
+            truth[a] = f.points[0, a]
         for k in range(size):
             truth[k] += walk[i, k]
         for k in range(OUTPUTS):

@@ -7,7 +7,7 @@ the equations of motion are not written a second time.
 from typing import Any
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.estimation.process import Forcing, propagate
+from ftc_jsb.estimation.process import Forcing, axes, propagate
 from ftc_jsb.point_mass.model import Condition
 
 RELATIVE_STEP = 1e-6  # of the state, or of 1: error of the Jacobian near 1e-9
@@ -23,18 +23,20 @@ def predict_extended(
     covariance = filter_state.covariance
     jacobian = filter_state.factor
     points = filter_state.points
+    for i in range(n):
+        for k in range(2 * n + 1):
+            points[k, i] = estimate[i]
+    for j in range(n):
+        step = RELATIVE_STEP * max(1.0, abs(estimate[j]))
+        points[1 + j, j] += step
+        points[1 + n + j, j] -= step
+    propagate(at, forcing, axes(forcing, estimate[1]), filter_state, 2 * n + 1, dt)
     for j in range(n):
         step = RELATIVE_STEP * max(1.0, abs(estimate[j]))
         for i in range(n):
-            points[1, i] = estimate[i]
-            points[2, i] = estimate[i]
-        points[1, j] += step
-        points[2, j] -= step
-        propagate(at, forcing, filter_state, points[1], dt)
-        propagate(at, forcing, filter_state, points[2], dt)
-        for i in range(n):
-            jacobian[i, j] = (points[1, i] - points[2, i]) / (2.0 * step)
-    propagate(at, forcing, filter_state, estimate, dt)
+            jacobian[i, j] = (points[1 + j, i] - points[1 + n + j, i]) / (2.0 * step)
+    for i in range(n):
+        estimate[i] = points[0, i]
     product = points  # scratch for Phi P
     for i in range(n):
         for j in range(n):

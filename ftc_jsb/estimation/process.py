@@ -8,13 +8,29 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ftc_jsb.compiled import compiled
+from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.point_mass.dynamics import derivatives, path_rates
 from ftc_jsb.point_mass.model import Condition
+from ftc_jsb.trigonometry import turned
 
 OUTPUTS = 3  # airspeed, flight path angle, heading: the measurement (21), y = h(x)
 CHANNELS = 3  # thrust, load factor, bank angle
 STATES = OUTPUTS + CHANNELS  # capacity; `count` of them are in use
+
+POINTS = 2 * STATES + 1
+
+STAGES = np.dtype(  # of a Runge-Kutta step, for each point
+    [
+        ("thrust", float, (POINTS,)),  # [N], along the path where drag is measured
+        ("load_factor", float, (POINTS,)),
+        ("cos_bank", float, (POINTS,)),
+        ("sin_bank", float, (POINTS,)),
+        ("cos_path", float, (POINTS,)),  # at its start
+        ("sin_path", float, (POINTS,)),
+        ("rate", float, (2, POINTS)),  # of airspeed and flight path angle, at the stage before
+        ("total", float, (OUTPUTS, POINTS)),  # of the weighted rates
+    ]
+)
 
 FILTER = np.dtype(
     [
@@ -23,7 +39,8 @@ FILTER = np.dtype(
         ("estimate", float, (STATES,)),
         ("covariance", float, (STATES, STATES)),
         ("factor", float, (STATES, STATES)),  # scratch
-        ("points", float, (2 * STATES + 1, STATES)),  # scratch
+        ("points", float, (POINTS, STATES)),  # scratch
+        ("stages", STAGES),  # scratch
         ("gain", float, (STATES, OUTPUTS)),
         ("innovation", float, (OUTPUTS,)),
         ("innovation_covariance", float, (OUTPUTS, OUTPUTS)),
@@ -44,12 +61,13 @@ class Forcing(NamedTuple):
     alpha: float  # [rad]
 
 
-@compiled
+@inlined
 def _rates(
     at: Condition,
     forcing: Forcing,
     airspeed: float,
-    flight_path_angle: float,
+    cos_path: float,
+    sin_path: float,
     thrust: float,
     load_factor: float,
     cos_bank: float,
@@ -59,41 +77,90 @@ def _rates(
     if forcing.measured_drag:
         drag = 0.5 * at.density * airspeed * airspeed * at.area * forcing.drag_coefficient
         force = thrust - drag
-        return path_rates(at, airspeed, flight_path_angle, force, load_factor, cos_bank, sin_bank)
-    return derivatives(at, airspeed, flight_path_angle, thrust, load_factor, cos_bank, sin_bank)
+        return path_rates(at, airspeed, cos_path, sin_path, force, load_factor, cos_bank, sin_bank)
+    return derivatives(at, airspeed, cos_path, sin_path, thrust, load_factor, cos_bank, sin_bank)
+
+
+class Axes(NamedTuple):
+    """Cosines and sines of the directions near which all points of one sample lie."""
+
+    path: float  # [rad]
+    cos_path: float
+    sin_path: float
+    cos_bank: float
+    sin_bank: float
+    cos_alpha: float
 
 
 @compiled
-def propagate(at: Condition, forcing: Forcing, filter_state: Any, point: Any, dt: float) -> None:
-    """F of (21) and (27), in place: one classical Runge-Kutta step of (41) over `dt` seconds.
+def axes(forcing: Forcing, flight_path_angle: float) -> Axes:
+    """Axes at a flight path angle [rad] and at the bank and alpha of `forcing`."""
+    return Axes(
+        flight_path_angle,
+        math.cos(flight_path_angle),
+        math.sin(flight_path_angle),
+        math.cos(forcing.bank_angle),
+        math.sin(forcing.bank_angle),
+        math.cos(forcing.alpha),
+    )
+
+
+@compiled
+def propagate(
+    at: Condition, forcing: Forcing, near: Axes, filter_state: Any, count: int, dt: float
+) -> None:
+    """F of (21) and (27): one classical Runge-Kutta step of (41) over `dt` seconds, of many points.
+
+    All points go through a stage before any goes on to the next: their rates do not wait for one
+    another, and a processor works on several at a time.
 
     Args:
         at: the model at the sample's flight condition.
         forcing: held over the sample.
-        filter_state: FILTER record; tells which channel each effectiveness state belongs to.
-        point: (STATES,), a filter state; its first three elements are advanced.
+        near: `axes` of the forcing at a flight path angle near those of the points.
+        filter_state: FILTER record; its first `count` points, each a filter state, are advanced.
+        count: of points.
         dt: sample time [s].
     """
-    thrust = forcing.thrust
-    load_factor = forcing.load_factor
-    bank_angle = forcing.bank_angle
-    for i in range(OUTPUTS, filter_state.count):
-        channel = filter_state.channel[i - OUTPUTS]
-        if channel == 0:
-            thrust *= point[i]
-        elif channel == 1:
-            load_factor *= point[i]
-        else:
-            bank_angle *= point[i]
-    if forcing.measured_drag:
-        thrust *= math.cos(forcing.alpha)
-    cb, sb = math.cos(bank_angle), math.sin(bank_angle)
-    v, p, h = point[0], point[1], point[2]
-    half = 0.5 * dt
-    a1, b1, c1 = _rates(at, forcing, v, p, thrust, load_factor, cb, sb)
-    a2, b2, c2 = _rates(at, forcing, v + half * a1, p + half * b1, thrust, load_factor, cb, sb)
-    a3, b3, c3 = _rates(at, forcing, v + half * a2, p + half * b2, thrust, load_factor, cb, sb)
-    a4, b4, c4 = _rates(at, forcing, v + dt * a3, p + dt * b3, thrust, load_factor, cb, sb)
-    point[0] = v + dt / 6.0 * (a1 + 2.0 * (a2 + a3) + a4)
-    point[1] = p + dt / 6.0 * (b1 + 2.0 * (b2 + b3) + b4)
-    point[2] = h + dt / 6.0 * (c1 + 2.0 * (c2 + c3) + c4)
+    points, w = filter_state.points, filter_state.stages
+    for k in range(count):
+        thrust, load_factor = forcing.thrust, forcing.load_factor
+        cb, sb = near.cos_bank, near.sin_bank
+        for i in range(OUTPUTS, filter_state.count):
+            channel = filter_state.channel[i - OUTPUTS]
+            if channel == 0:
+                thrust *= points[k, i]
+            elif channel == 1:
+                load_factor *= points[k, i]
+            else:
+                cb, sb = turned(cb, sb, (points[k, i] - 1.0) * forcing.bank_angle)
+        w.thrust[k] = thrust * near.cos_alpha if forcing.measured_drag else thrust
+        w.load_factor[k], w.cos_bank[k], w.sin_bank[k] = load_factor, cb, sb
+        cp, sp = turned(near.cos_path, near.sin_path, points[k, 1] - near.path)
+        w.cos_path[k], w.sin_path[k] = cp, sp
+        w.rate[0, k], w.rate[1, k] = 0.0, 0.0
+        for a in range(OUTPUTS):
+            w.total[a, k] = 0.0
+    for stage in range(4):
+        ahead = 0.0 if stage == 0 else dt if stage == 3 else 0.5 * dt
+        weight = 1.0 if stage == 0 or stage == 3 else 2.0
+        for k in range(count):
+            cp, sp = turned(w.cos_path[k], w.sin_path[k], ahead * w.rate[1, k])
+            airspeed = points[k, 0] + ahead * w.rate[0, k]
+            rates = _rates(
+                at,
+                forcing,
+                airspeed,
+                cp,
+                sp,
+                w.thrust[k],
+                w.load_factor[k],
+                w.cos_bank[k],
+                w.sin_bank[k],
+            )
+            w.rate[0, k], w.rate[1, k] = rates[0], rates[1]
+            for a in range(OUTPUTS):
+                w.total[a, k] += weight * rates[a]
+    for k in range(count):
+        for a in range(OUTPUTS):
+            points[k, a] += dt / 6.0 * w.total[a, k]

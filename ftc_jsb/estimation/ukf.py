@@ -10,7 +10,7 @@ from typing import Any
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.estimation.cholesky import cholesky
-from ftc_jsb.estimation.process import Forcing, propagate
+from ftc_jsb.estimation.process import Forcing, axes, propagate
 from ftc_jsb.point_mass.model import Condition
 
 
@@ -46,8 +46,7 @@ def predict_unscented(
             offset = scale * factor[i, j]
             points[1 + j, i] = estimate[i] + offset
             points[1 + n + j, i] = estimate[i] - offset
-    for k in range(2 * n + 1):  # (27)
-        propagate(at, forcing, filter_state, points[k], dt)
+    propagate(at, forcing, axes(forcing, estimate[1]), filter_state, 2 * n + 1, dt)  # (27)
     weight = 0.5 / spread  # (29)
     centre = 1.0 - n / spread
     for i in range(n):  # (28), as a mean of differences: no cancellation with a negative centre

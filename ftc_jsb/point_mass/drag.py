@@ -3,11 +3,11 @@
 import math
 from typing import Any
 
-from ftc_jsb.compiled import compiled
+from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.point_mass.model import Condition, bilinear, bracket
 
 
-@compiled
+@inlined
 def drag_coefficient(at: Condition, lift_coefficient: float) -> float:
     """Drag polar C_D(C_L) at one Mach number.
 
@@ -35,7 +35,7 @@ def drag_slope(at: Condition, lift_coefficient: float) -> float:
     return slope + (_table_column(at, k + 1) - _table_column(at, k)) / at.lift_spacing
 
 
-@compiled
+@inlined
 def _lift_interval(at: Condition, lift_coefficient: float) -> tuple[int, float]:
     """Interval of the drag table, and the place in it: outside [0, 1] beyond the table's ends."""
     place = (lift_coefficient - at.lift_first) / at.lift_spacing
@@ -43,7 +43,7 @@ def _lift_interval(at: Condition, lift_coefficient: float) -> tuple[int, float]:
     return k, place - k
 
 
-@compiled
+@inlined
 def _table_column(at: Condition, k: int) -> float:
     i = at.mach_knot
     low = at.drag_table[i, k]
@@ -52,7 +52,7 @@ def _table_column(at: Condition, k: int) -> float:
     return float(low + at.mach_fraction * (at.drag_table[i + 1, k] - low))
 
 
-@compiled
+@inlined
 def angle_of_attack(at: Condition, lift_coefficient: float) -> float:
     """Angle of attack [rad] at a lift coefficient; 0 for the paper's aircraft."""
     c = lift_coefficient

@@ -2,12 +2,12 @@
 
 import math
 
-from ftc_jsb.compiled import compiled
+from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.point_mass.drag import angle_of_attack, drag_coefficient
 from ftc_jsb.point_mass.model import Condition
 
 
-@compiled
+@inlined
 def aerodynamic_state(
     at: Condition, airspeed: float, thrust: float, load_factor: float
 ) -> tuple[float, float]:
@@ -26,7 +26,7 @@ def aerodynamic_state(
     return lift_coefficient, angle_of_attack(at, lift_coefficient)
 
 
-@compiled
+@inlined
 def polar_drag(
     at: Condition, airspeed: float, thrust: float, load_factor: float
 ) -> tuple[float, float]:
@@ -36,11 +36,12 @@ def polar_drag(
     return pressure_area * drag_coefficient(at, lift_coefficient), alpha
 
 
-@compiled
+@inlined
 def path_rates(
     at: Condition,
     airspeed: float,
-    flight_path_angle: float,
+    cos_path: float,
+    sin_path: float,
     along_path_force: float,
     load_factor: float,
     cos_bank: float,
@@ -48,24 +49,24 @@ def path_rates(
 ) -> tuple[float, float, float]:
     """Rates of airspeed [m/s^2], flight path angle and heading [rad/s]: (41).
 
-    `along_path_force` is T cos(alpha) - D [N]; the paper has alpha = 0. The bank angle comes as its
-    cosine and sine, which stay the same where this is called many times with one bank.
+    `along_path_force` is T cos(alpha) - D [N]; the paper has alpha = 0. Flight path angle and bank
+    come as cosine and sine, which a caller has at less cost than a new sine: see `turned`.
     """
     g = at.gravity
     weight = at.mass * g
-    cos_path = math.cos(flight_path_angle)
     return (
-        g * (along_path_force / weight - math.sin(flight_path_angle)),
+        g * (along_path_force / weight - sin_path),
         g / airspeed * (load_factor * cos_bank - cos_path),
         g * load_factor * sin_bank / (airspeed * cos_path),
     )
 
 
-@compiled
+@inlined
 def derivatives(
     at: Condition,
     airspeed: float,
-    flight_path_angle: float,
+    cos_path: float,
+    sin_path: float,
     thrust: float,
     load_factor: float,
     cos_bank: float,
@@ -76,7 +77,7 @@ def derivatives(
     Args:
         at: the model at this flight condition.
         airspeed: [m/s]
-        flight_path_angle: [rad]
+        cos_path, sin_path: of the flight path angle
         thrust: delivered [N]
         load_factor: [-]
         cos_bank, sin_bank: of the bank angle about the velocity
@@ -87,7 +88,7 @@ def derivatives(
     drag, alpha = polar_drag(at, airspeed, thrust, load_factor)
     along = thrust * math.cos(alpha) if alpha != 0.0 else thrust
     force = along - drag
-    return path_rates(at, airspeed, flight_path_angle, force, load_factor, cos_bank, sin_bank)
+    return path_rates(at, airspeed, cos_path, sin_path, force, load_factor, cos_bank, sin_bank)
 
 
 @compiled

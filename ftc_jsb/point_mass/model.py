@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ftc_jsb.compiled import compiled
+from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 
 MACH_KNOTS = 40
@@ -122,7 +122,7 @@ def bilinear(table: Any, row: int, along_row: float, column: int, along_column: 
     return float(low + along_row * (high - low))
 
 
-@compiled
+@inlined
 def air(model: Any, altitude: float) -> tuple[float, float]:
     """Density [kg/m^3] and speed of sound [m/s] that `model` assumes at an altitude [m]."""
     if model.constant_density > 0.0:
@@ -130,7 +130,7 @@ def air(model: Any, altitude: float) -> tuple[float, float]:
     return standard_atmosphere(altitude)
 
 
-@compiled
+@inlined
 def at_condition(model: Any, airspeed: float, altitude: float) -> Condition:
     """`model` (one MODEL record) at an airspeed [m/s] and altitude [m].
 

@@ -13,35 +13,39 @@ from ftc_jsb.point_mass.dynamics import (
     level_trim_thrust,
     load_factor_limit,
     polar_drag,
-    velocity,
 )
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
+from ftc_jsb.trigonometry import turned
 
+STATES = 10
+ANGLES = np.dtype(
+    [
+        (f"{what}{angle}", float)
+        for angle in ("path", "heading", "bank")
+        for what in ("", "cos_", "sin_")
+    ]
+)
 POINT_MASS_STATE = np.dtype(
     [
         # airspeed, path, heading, north, east, altitude, load factor and its rate, bank and its rate
-        ("x", float, (10,)),
+        ("x", float, (STATES,)),
         ("rotor_speed", float),
         ("thrust", float),  # delivered [N]
+        ("y", float, (STATES,)),  # scratch: state at a stage of the Runge-Kutta step
+        ("k", float, (4, STATES)),  # scratch: rates of its stages
+        ("start", ANGLES),  # scratch: angles at the start of the sample
     ]
 )
 
 
 @compiled
 def _rates(
-    model: Any,
-    x: Any,
-    thrust: float,
-    load_factor: float,
-    bank: float,
-    cb: float,
-    sb: float,
-    out: Any,
+    model: Any, start: Any, x: Any, thrust: float, load_factor: float, bank: float, out: Any
 ) -> None:
     """Derivative of the state `x` at a delivered thrust and effective commands, in still air.
 
-    `cb` and `sb` are cosine and sine of the commanded bank, which acts where there is no lag.
+    `start`: ANGLES near those of `x`.
     """
     at = at_condition(model, x[0], x[5])
     out[6], out[7] = 0.0, 0.0
@@ -49,8 +53,8 @@ def _rates(
         frequency, damping = model.response_frequency[0], model.response_damping[0]
         out[6] = x[7]
         out[7] = frequency * (frequency * (load_factor - x[6]) - 2.0 * damping * x[7])
-        load_factor = x[6]
     out[8], out[9] = 0.0, 0.0
+    cb, sb = start.cos_bank, start.sin_bank
     if model.response_frequency[1] > 0.0:
         frequency, damping = model.response_frequency[1], model.response_damping[1]
         out[8] = x[9]
@@ -59,32 +63,35 @@ def _rates(
             most = model.bank_acceleration_max
             acceleration = min(max(acceleration, -most), most)
         out[9] = acceleration
-        cb, sb = math.cos(x[8]), math.sin(x[8])
-    out[0], out[1], out[2] = derivatives(at, x[0], x[1], thrust, load_factor, cb, sb)
-    out[3], out[4], out[5] = velocity(x[0], x[1], x[2])
+        cb, sb = turned(cb, sb, x[8] - start.bank)
+    cp, sp = turned(start.cos_path, start.sin_path, x[1] - start.path)
+    ch, sh = turned(start.cos_heading, start.sin_heading, x[2] - start.heading)
+    out[0], out[1], out[2] = derivatives(at, x[0], cp, sp, thrust, x[6], cb, sb)
+    out[3], out[4], out[5] = x[0] * cp * ch, x[0] * cp * sh, x[0] * sp  # (42)
+
+
+@compiled
+def _remember_angles(start: Any, x: Any) -> None:
+    """Path, heading and bank of the state `x`, with their cosines and sines."""
+    start.path, start.heading, start.bank = x[1], x[2], x[8]
+    start.cos_path, start.sin_path = math.cos(x[1]), math.sin(x[1])
+    start.cos_heading, start.sin_heading = math.cos(x[2]), math.sin(x[2])
+    start.cos_bank, start.sin_bank = math.cos(x[8]), math.sin(x[8])
 
 
 @compiled
 def _runge_kutta(
-    model: Any, wind: Any, x: Any, thrust: float, load_factor: float, bank: float, dt: float
+    model: Any, wind: Any, state: Any, load_factor: float, bank: float, dt: float
 ) -> None:
     """One classical Runge-Kutta step of `dt` seconds, in place."""
-    size = x.size
-    k1, k2, k3, k4 = np.empty(size), np.empty(size), np.empty(size), np.empty(size)
-    y = np.empty(size)
-    cb, sb = math.cos(bank), math.sin(bank)
-    _rates(model, x, thrust, load_factor, bank, cb, sb, k1)
-    for a in range(size):
-        y[a] = x[a] + 0.5 * dt * k1[a]
-    _rates(model, y, thrust, load_factor, bank, cb, sb, k2)
-    for a in range(size):
-        y[a] = x[a] + 0.5 * dt * k2[a]
-    _rates(model, y, thrust, load_factor, bank, cb, sb, k3)
-    for a in range(size):
-        y[a] = x[a] + dt * k3[a]
-    _rates(model, y, thrust, load_factor, bank, cb, sb, k4)
-    for a in range(size):
-        x[a] += dt / 6.0 * (k1[a] + 2.0 * (k2[a] + k3[a]) + k4[a])
+    x, y, k, start, thrust = state.x, state.y, state.k, state.start, state.thrust
+    for stage in range(4):
+        share = dt if stage == 3 else 0.5 * dt
+        for a in range(x.size):
+            y[a] = x[a] if stage == 0 else x[a] + share * k[stage - 1, a]
+        _rates(model, start, y, thrust, load_factor, bank, k[stage])
+    for a in range(x.size):
+        x[a] += dt / 6.0 * (k[0, a] + 2.0 * (k[1, a] + k[2, a]) + k[3, a])
     if wind.still == 0:
         _blow(wind, x, dt)
 
@@ -130,6 +137,7 @@ def point_mass_step(
     if m.response_frequency[1] == 0.0:
         x[8] = bank
         row.bank_angle = bank
+    _remember_angles(s.start, x)
     for _ in range(substeps):
         at = at_condition(m, x[0], x[5])
         if m.spool_up[0] > 0.0:
@@ -138,7 +146,7 @@ def point_mass_step(
         else:
             healthy = min(max(row.thrust_cmd, at.thrust_idle), at.thrust_maximum)
         s.thrust = row.effectiveness_thrust * healthy
-        _runge_kutta(m, wind[0], x, s.thrust, load_factor, bank, dt / substeps)
+        _runge_kutta(m, wind[0], s, load_factor, bank, dt / substeps)
         if m.bank_rate_max > 0.0:
             x[9] = min(max(x[9], -m.bank_rate_max), m.bank_rate_max)
     if m.spool_up[0] == 0.0:

@@ -1,6 +1,8 @@
 """The point mass as a plant."""
 
 import math
+from collections.abc import Callable
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,6 +17,9 @@ from ftc_jsb.point_mass.motion import (
 )
 from ftc_jsb.scenario.schema import Initial
 
+SHORT_STEP = 0.0025  # [s], where engine, inner loop or changing wind are integrated
+LONG_STEP = 0.01  # [s], where (41)-(42) are all there is: RK4 is exact to rounding then
+
 
 class PointMassPlant:
     """A `Plant` on the equations of motion (41)-(42)."""
@@ -25,14 +30,14 @@ class PointMassPlant:
         wind: npt.NDArray[Any],
         initial: Initial,
         dt: float,
-        substeps: int,
+        substeps: int | None = None,
     ) -> None:
         """Args: (1,) MODEL; (1,) WIND; initial condition; sample time [s]; Runge-Kutta steps a sample."""
         self.model = model
         self.wind = wind
         self._initial = initial
         self.dt = dt
-        self.substeps = substeps
+        self.substeps = substeps or substeps_needed(model, wind, dt)
         self.state = np.zeros(1, POINT_MASS_STATE)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
@@ -48,18 +53,36 @@ class PointMassPlant:
             model, initial.airspeed, initial.altitude, path
         )
         self._record = record
-        truth = (model, self.wind, self.state, record, 0, self.dt)
-        self._truth = direct(point_mass_truth, *truth)
-        step = (model, self.wind, self.state, record, 0, self.dt, self.substeps)
-        self._step = direct(point_mass_step, *step)
+
+    @property
+    def _all(self) -> tuple[Any, ...]:
+        return self.model, self.wind, self.state, self._record
+
+    @cached_property  # a flight in compiled stretches needs neither
+    def _truth(self) -> Callable[..., Any]:
+        return direct(point_mass_truth, *self._all, 0, self.dt)
+
+    @cached_property
+    def _step(self) -> Callable[..., Any]:
+        return direct(point_mass_step, *self._all, 0, self.dt, self.substeps)
 
     def truth(self, i: int) -> None:
         """Write the state to row `i`."""
-        self._truth(self.model, self.wind, self.state, self._record, i, self.dt)
+        self._truth(*self._all, i, self.dt)
 
     def step(self, i: int) -> None:
         """Fly the commands of row `i` for one sample."""
-        self._step(self.model, self.wind, self.state, self._record, i, self.dt, self.substeps)
+        self._step(*self._all, i, self.dt, self.substeps)
 
     def close(self) -> None:
         """Nothing to release."""
+
+
+def substeps_needed(model: npt.NDArray[Any], wind: npt.NDArray[Any], dt: float) -> int:
+    """Runge-Kutta steps that a sample of `dt` seconds takes."""
+    m = model[0]
+    lags = m["spool_up"][0] > 0.0 or np.any(m["response_frequency"] > 0.0)
+    w = wind[0]
+    changing = np.any(w["shear"]) or w["gusts"] > 0 or np.any(w["turbulence"])
+    longest = SHORT_STEP if lags or changing else LONG_STEP
+    return max(1, math.ceil(dt / longest - 1e-9))

@@ -313,7 +313,9 @@ class Simulation(Section):
     """[simulation]: how finely the plants are integrated inside a sample of the outer loop."""
 
     jsbsim_steps: int = Field(2, ge=1, le=100)  # JSBSim frames a sample: 200 Hz at 100 Hz
-    point_mass_steps: int = Field(4, ge=1, le=1000)  # Runge-Kutta steps a sample
+    # Runge-Kutta steps a sample; by default 2.5 ms long, 10 ms where nothing lags and no wind changes
+    point_mass_steps: int | None = Field(None, ge=1, le=1000)
+    record_every: int = Field(1, ge=1, le=10000)  # samples a row of the saved recording
 
 
 _Range = tuple[_Bound, _Bound]

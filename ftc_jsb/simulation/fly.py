@@ -3,18 +3,19 @@
 import math
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import direct
-from ftc_jsb.control.command_filter import command_filter, reference_step
+from ftc_jsb.control.command_filter import command_filter
 from ftc_jsb.control.loops import CompiledLoop, RecordedLoop, build_loop
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import fault_records, schedule
-from ftc_jsb.disturbance.sensors import Senses, measure, sensor_record
+from ftc_jsb.disturbance.sensors import Senses, sensor_record
 from ftc_jsb.disturbance.weather import wind_record
 from ftc_jsb.errors import AircraftError, LoopError, ScenarioError
 from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
@@ -23,7 +24,7 @@ from ftc_jsb.scenario.reference import raw_commands
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.commands import CommandSource
 from ftc_jsb.simulation.flight import Flight, Outcome
-from ftc_jsb.simulation.monitor import FLYING, REASONS, departed
+from ftc_jsb.simulation.monitor import FLYING, REASONS
 from ftc_jsb.simulation.plant import Plant
 from ftc_jsb.simulation.possible import impossible
 from ftc_jsb.simulation.steering import Steering
@@ -61,26 +62,14 @@ def fly(
     """
     refuse_unflyable(scenario)
     aircraft = point_mass_of(scenario)
-    fuel = scenario.aircraft.fuel_fraction
-    model = aircraft.record(fuel)
-    dt = 1.0 / scenario.loop.rate
-    faults = fault_records(scenario.fault)
     record = blank_recording(scenario, aircraft.thrust.engines)
-    if plant is None:
-        plant = build_plant(scenario, model, dt, output)
-    setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
-    first = [record[0][f"{name}_cmd_raw"] for name in ("airspeed", "flight_path_angle", "heading")]
-    reference = scenario.reference
-    start = (0.0, 0.0, scenario.initial.altitude)
-    filters = command_filter(reference.filter_frequency, reference.filter_damping, dt, first, start)
-    loop = build_loop(setup, model, record)
-    plant.reset(record)
+    dt = 1.0 / scenario.loop.rate
+    plant, loop, filters, senses, setup, model = parts(scenario, aircraft, record, plant, output)
     outcome = Outcome("complete", scenario.duration, "")
     rows = 0
-    started = time.perf_counter()
-    senses = Senses(sensor_record(scenario, record), faults, record, numbers(record))
     advance, length = _advance(plant, loop, observers, filters, senses)
     steering = Steering(setup, scenario, model, loop, senses)
+    started = time.perf_counter()
     try:
         while rows < record.size:
             beyond = min(rows + length, record.size)
@@ -113,6 +102,53 @@ def _steered(steering: Steering, commands: CommandSource, row: int) -> bool:
     return all(steering.apply(command, row) for command in commands.take(row))
 
 
+class Parts(NamedTuple):
+    """What a flight is made of, at rest at its start."""
+
+    plant: Plant
+    loop: RecordedLoop
+    filters: npt.NDArray[Any]  # (1,) COMMAND_FILTER
+    senses: Senses
+    setup: LoopSetup
+    model: npt.NDArray[Any]  # (1,) MODEL that the loop counts on
+
+
+def parts(
+    scenario: Scenario,
+    aircraft: PointMass,
+    record: npt.NDArray[Any],
+    plant: Plant | None = None,
+    output: Path | None = None,
+) -> Parts:
+    """Plant, loop, command filter and sensors of a scenario, bound to a blank recording.
+
+    Args:
+        scenario: to be flown.
+        aircraft: of `point_mass_of`.
+        record: of `blank_recording`.
+        plant: in place of the model's own.
+        output: as `fly` takes it.
+
+    Raises:
+        UserError: one of them cannot be had.
+    """
+    fuel = scenario.aircraft.fuel_fraction
+    model = aircraft.record(fuel)
+    dt = 1.0 / scenario.loop.rate
+    if plant is None:
+        plant = build_plant(scenario, model, dt, output)
+    setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
+    first = [record[0][f"{name}_cmd_raw"] for name in ("airspeed", "flight_path_angle", "heading")]
+    reference = scenario.reference
+    start = (0.0, 0.0, scenario.initial.altitude)
+    filters = command_filter(reference.filter_frequency, reference.filter_damping, dt, first, start)
+    loop = build_loop(setup, model, record)
+    plant.reset(record)
+    faults = fault_records(scenario.fault)
+    senses = Senses(sensor_record(scenario, record), faults, record, numbers(record))
+    return Parts(plant, loop, filters, senses, setup, model)
+
+
 def _advance(
     plant: Plant,
     loop: RecordedLoop,
@@ -126,28 +162,38 @@ def _advance(
     plant, a user's loop, an observer of every sample.
     """
     from ftc_jsb.point_mass.plant import PointMassPlant
-    from ftc_jsb.simulation.fused import point_mass_flight
+    from ftc_jsb.simulation.fused import perceive, point_mass_flight, sample_step
 
-    record = senses.record
+    sensors, faults, record, table = senses
+    seen = (sensors, faults, filters, record, table)
     coarse = all(getattr(observe, "coarse", False) for observe in observers)
     if isinstance(plant, PointMassPlant) and isinstance(loop, CompiledLoop) and coarse:
-        sensors, faults, _, table = senses
         aircraft = (loop.settings, plant.model, loop.state, plant.state, plant.wind)
         fixed = (*aircraft, sensors, faults, filters, record, table)
-        run = direct(point_mass_flight, *fixed, 0, 1, plant.dt, plant.substeps)
-        return lambda first, beyond: run(*fixed, first, beyond, plant.dt, plant.substeps), STRETCH
-    sense = direct(measure, *senses, 0)
-    refer = direct(reference_step, filters, record, 0)
-    check = direct(departed, record, 0)
+        pace = (plant.dt, plant.substeps)
+        run = partial(direct(point_mass_flight, *fixed, 0, 1, *pace), *fixed)
+        return lambda first, beyond: run(first, beyond, *pace), STRETCH
+    truth, step = plant.truth, plant.step
+    if isinstance(loop, CompiledLoop):
+        decision = (loop.settings, loop.model, loop.state, *seen)
+        decide = partial(direct(sample_step, *decision, 0), *decision)
+
+        def decided(i: int, _: int) -> tuple[int, int]:
+            truth(i)
+            reason: int = decide(i)
+            if reason == FLYING:
+                step(i)
+            return i, reason
+
+        return decided, 1
+    notice = partial(direct(perceive, *seen, 0), *seen)
 
     def sample(i: int, _: int) -> tuple[int, int]:
-        plant.truth(i)
-        sense(*senses, i)
-        refer(filters, record, i)
-        reason: int = check(record, i)
+        truth(i)
+        reason: int = notice(i)
         if reason == FLYING:
             loop.step(i)
-            plant.step(i)
+            step(i)
         return i, reason
 
     return sample, 1
@@ -203,7 +249,8 @@ def blank_recording(scenario: Scenario, engines: int = 1) -> npt.NDArray[Any]:
     (rows,) of ROW: one row a sample and one for the end. What is scheduled, commands and faults,
     stands in the recording before the flight; whoever changes it in flight rewrites the rows to come.
     """
-    record = np.full(scenario.samples + 1, math.nan).astype(ROW)
+    record = np.empty(scenario.samples + 1, ROW)
+    numbers(record).fill(math.nan)
     record["time"] = np.arange(record.size) / scenario.loop.rate
     commands = raw_commands(scenario.reference, record["time"])
     record["airspeed_cmd_raw"] = commands[:, 0]

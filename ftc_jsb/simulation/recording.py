@@ -1,4 +1,4 @@
-"""A flight as an xarray dataset, and as a NetCDF file that holds all it takes to fly it again."""
+"""A flight as a NetCDF file, and as an xarray dataset, that holds all it takes to fly it again."""
 
 import hashlib
 import json
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     import xarray
 
 PACKAGES = ("numpy", "scipy", "numba", "jsbsim")  # whose versions may change a flight
+COMPRESSION: dict[str, Any] = {"zlib": True, "complevel": 1}
 
 
 def to_dataset(flight: Flight) -> "xarray.Dataset":
@@ -37,30 +38,35 @@ def to_dataset(flight: Flight) -> "xarray.Dataset":
 
     variables: dict[str, Any] = {}
     for variable in VARIABLES:
-        attributes = {"units": variable.unit, "long_name": variable.meaning}
-        variables[variable.name] = ("time", flight.record[variable.name].copy(), attributes)
-    scenario = flight.scenario
+        described = {"units": variable.unit, "long_name": variable.meaning}
+        variables[variable.name] = ("time", flight.record[variable.name].copy(), described)
     return xarray.Dataset(
         {name: content for name, content in variables.items() if name != "time"},
         coords={"time": variables["time"]},
-        attrs={
-            "title": scenario.title or scenario.name,
-            "source": f"ftc-jsb {ftc_jsb.__version__}",
-            "model": scenario.model,
-            "loop": scenario.loop.name,
-            "seed": scenario.seed,
-            "outer_loop_rate_hz": scenario.loop.rate,
-            "jsbsim_rate_hz": scenario.loop.rate * scenario.simulation.jsbsim_steps,
-            "scenario": scenario_toml(scenario),
-            "versions": json.dumps(versions()),
-            "machine": machine(),
-            "aircraft_digest": aircraft_digest(scenario),
-            "status": flight.outcome.status,
-            "end_time_s": flight.outcome.time,
-            "reason": flight.outcome.reason,
-            "commands": commands_json(flight.commands),
-        },
+        attrs=attributes(flight),
     )
+
+
+def attributes(flight: Flight) -> dict[str, Any]:
+    """What a recording says of itself."""
+    scenario = flight.scenario
+    return {
+        "title": scenario.title or scenario.name,
+        "source": f"ftc-jsb {ftc_jsb.__version__}",
+        "model": scenario.model,
+        "loop": scenario.loop.name,
+        "seed": scenario.seed,
+        "outer_loop_rate_hz": scenario.loop.rate,
+        "jsbsim_rate_hz": scenario.loop.rate * scenario.simulation.jsbsim_steps,
+        "scenario": scenario_toml(scenario),
+        "versions": json.dumps(versions()),
+        "machine": machine(),
+        "aircraft_digest": aircraft_digest(scenario),
+        "status": flight.outcome.status,
+        "end_time_s": flight.outcome.time,
+        "reason": flight.outcome.reason,
+        "commands": commands_json(flight.commands),
+    }
 
 
 def aircraft_digest(scenario: Scenario) -> str:
@@ -103,15 +109,27 @@ def save(flight: Flight, path: Path) -> None:
         RecordingError: the file cannot be written.
     """
     part = path.with_suffix(".part")
-    dataset = to_dataset(flight)
-    encoding = {name: {"zlib": True, "complevel": 1} for name in dataset.variables}
     try:
         with _uninterrupted():
-            dataset.to_netcdf(part, engine="netcdf4", encoding=encoding)
+            _write(flight, part)
             part.replace(path)
     except (OSError, RuntimeError) as error:
         part.unlink(missing_ok=True)
         raise RecordingError(f"{path}: cannot be written: {error}") from None
+
+
+def _write(flight: Flight, path: Path) -> None:
+    """By netCDF4 itself: xarray, which reads it as any other, takes longer to import than a flight."""
+    import netCDF4
+
+    with netCDF4.Dataset(path, "w") as file:
+        file.setncatts(attributes(flight))
+        record = flight.record[:: flight.scenario.simulation.record_every]
+        file.createDimension("time", record.size)
+        for name, unit, meaning in VARIABLES:
+            column = file.createVariable(name, float, "time", fill_value=np.nan, **COMPRESSION)
+            column.setncatts({"units": unit, "long_name": meaning})
+            column[:] = record[name]
 
 
 @contextmanager
@@ -144,36 +162,35 @@ def load(path: Path) -> Flight:
     Raises:
         RecordingError: not a recording of this program, or damaged.
     """
-    import xarray
+    import netCDF4
 
     if not path.is_file():
         raise RecordingError(f"{path}: no such file; expected a recording (flight.nc)")
     try:
-        with xarray.open_dataset(path, engine="netcdf4", decode_times=False) as dataset:
-            dataset.load()
+        with netCDF4.Dataset(path) as file:
+            file.set_auto_mask(False)
+            found = {name: file.getncattr(name) for name in file.ncattrs()}
+            columns = {name: variable[:] for name, variable in file.variables.items()}
     except (OSError, RuntimeError, ValueError) as error:
         raise RecordingError(f"{path}: not a readable NetCDF file: {error}") from None
-    attributes = dataset.attrs
-    missing = [
-        key for key in ("scenario", "status", "end_time_s", "reason") if key not in attributes
-    ]
-    missing += [name for name in ROW.names or () if name not in dataset.variables]
+    missing = [key for key in ("scenario", "status", "end_time_s", "reason") if key not in found]
+    missing += [name for name in ROW.names or () if name not in columns]
     if missing:
         raise RecordingError(f"{path}: not a recording of this program: it has no {missing[0]!r}")
     try:
-        scenario = parse_scenario(str(attributes["scenario"]), str(path))
+        scenario = parse_scenario(str(found["scenario"]), str(path))
     except ScenarioError as error:
         raise RecordingError(f"{error} (the scenario inside the recording)") from None
-    record = np.zeros(dataset.sizes["time"], ROW)
+    record = np.zeros(columns["time"].size, ROW)
     for name in ROW.names or ():
-        record[name] = dataset[name].to_numpy()
+        record[name] = columns[name]
     try:
-        commands = parse_commands(str(attributes.get("commands", "[]")))
+        commands = parse_commands(str(found.get("commands", "[]")))
     except ValidationError as error:
         raise RecordingError(f"{path}: commands: {first_problem(error, Section)}") from None
-    status = cast(Any, attributes["status"])
-    outcome = Outcome(status, float(attributes["end_time_s"]), str(attributes["reason"]))
-    return Flight(scenario, record, outcome, None, commands, _provenance(attributes))
+    status = cast(Any, found["status"])
+    outcome = Outcome(status, float(found["end_time_s"]), str(found["reason"]))
+    return Flight(scenario, record, outcome, None, commands, _provenance(found))
 
 
 def _provenance(attributes: dict[Any, Any]) -> Provenance:

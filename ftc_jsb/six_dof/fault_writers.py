@@ -28,13 +28,14 @@ class FaultWriters:
         self._writers += [(columns.index(f"{n}_state"), writer(fdm, p)) for n, p in states]
         self._first = min(column for column, _ in self._writers)
         self._beyond = max(column for column, _ in self._writers) + 1
-        self._before: list[float] = []
+        self._before = b""
 
     def write(self, i: int) -> None:
         """Put the faults of row `i` in force."""
-        now = self._numbers[i, self._first : self._beyond].tolist()
-        if now == self._before:
+        now = self._numbers[i, self._first : self._beyond]
+        memory = now.tobytes()  # nan, of an engine that is not there, is equal to itself so
+        if memory == self._before:
             return
-        self._before = now
+        self._before = memory
         for column, write in self._writers:
-            write(now[column - self._first])
+            write(float(now[column - self._first]))

@@ -1,8 +1,11 @@
 """The JSBSim aircraft as a plant: commands into the woven inner loop, the true state out."""
 
 import math
+import struct
+from functools import partial
+from operator import call
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -81,7 +84,8 @@ class JsbsimPlant:
         self._faults = FaultWriters(fdm, engines, record, self._numbers)
         thrust = sum(fdm[f"propulsion/engine[{k}]/thrust-lbs"] for k in range(engines))
         level = math.cos(math.radians(self._initial.flight_path_deg))
-        for write, value in zip(self._command, (thrust * POUND_FORCE, level, 0.0), strict=True):
+        start = (thrust * POUND_FORCE, level, 0.0)
+        for (write, _), value in zip(self._commands, start, strict=True):
             write(value)
         writer(fdm, "ftc/engaged")(1.0)
 
@@ -99,10 +103,14 @@ class JsbsimPlant:
         names += [f"propulsion/engine[{number}]/thrust-lbs" for number in range(engines)]
         self._readers = readers(fdm, names)
         self._raw = np.zeros(len(names))
-        self._command = [writer(fdm, name) for name in COMMANDS]
+        self._pack = partial(struct.Struct(f"{len(names)}d").pack_into, cast(Any, self._raw), 0)
+        command = [writer(fdm, name) for name in COMMANDS]
         columns = list(record.dtype.names or ())
-        self._commanded = [columns.index(name) for name in COMMANDED]
-        self._observe = direct(observe, self._raw, self._state, record, 0)
+        commanded = [columns.index(name) for name in COMMANDED]
+        self._commands = list(zip(command, commanded, strict=True))
+        self._number = self._numbers.item
+        seen = (self._raw, self._state, record)
+        self._observe = partial(direct(observe, *seen, 0), *seen)
         self._place_origin(fdm)
 
     def _place_origin(self, fdm: Any) -> None:
@@ -120,14 +128,13 @@ class JsbsimPlant:
 
     def truth(self, i: int) -> None:
         """Write the state to row `i`."""
-        self._raw[:] = [read() for read in self._readers]
-        self._observe(self._raw, self._state, self._record, i)
+        self._pack(*map(call, self._readers))
+        self._observe(i)
 
     def command(self, i: int) -> None:
         """Give the inner loop the commands of row `i`."""
-        row = self._numbers[i]
-        for write, column in zip(self._command, self._commanded, strict=True):
-            write(float(row[column]))
+        for write, column in self._commands:
+            write(self._number(i, column))
 
     def step(self, i: int) -> None:
         """Fly the commands of row `i` for one sample.

@@ -22,7 +22,9 @@ MODELS = {"paper": PAPER, "f16": F16}
 
 @compiled
 def rates(model: Any, v: float, h: float, path: float, t: float, n: float, bank: float) -> Any:
-    return derivatives(at_condition(model[0], v, h), v, path, t, n, math.cos(bank), math.sin(bank))
+    at = at_condition(model[0], v, h)
+    turns = (math.cos(path), math.sin(path), t, n, math.cos(bank), math.sin(bank))
+    return derivatives(at, v, *turns)
 
 
 @compiled
