@@ -13,6 +13,7 @@ from ftc_jsb.errors import UserError
 from ftc_jsb.metrics import passed
 from ftc_jsb.scenario.load import load_scenario, scenario_names
 from ftc_jsb.simulation.recording import versions
+from tests.validation import margins
 from tests.validation.cost import cost_table, long_flights
 from tests.validation.fighters import SCENARIOS, fighters_table
 from tests.validation.flights import measured, random_manoeuvre
@@ -188,6 +189,7 @@ def main() -> int:
             "seeds 0 to 19.",
             false_alarms_table,
         ),
+        (margins.TITLE, margins.WORDS, margins.margins_section),
         (
             "Sixty random manoeuvres on the JSBSim F-16",
             "Turns, climbs, speeds, altitudes and faults from seeds 1000 to 1059 "
