@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ftc_jsb.control.loops import tuned_by_sensors
 from ftc_jsb.disturbance.faults import fault_steps
 from ftc_jsb.estimation.health import estimator_health
 from ftc_jsb.scenario.limits import broken_limits, tracking_errors
@@ -33,7 +34,7 @@ def flight_metrics(flight: Flight) -> Metrics:
         **_detection(record),
         "unobservable_fraction": {
             channel: None
-            if flight.scenario.loop.estimator.tuning == "sensors"
+            if tuned_by_sensors(flight.scenario.loop)
             else _part(unobservable(flight, channel), flight.record[f"effectiveness_{channel}_std"])
             for channel in flight.scenario.loop.estimator.channels
         },
@@ -109,7 +110,7 @@ def unobservable(flight: Flight, channel: Channel) -> npt.NDArray[np.bool_]:
     With covariances by the sensors the Q of the flight is not recorded, and nothing is told: no sample.
     """
     estimator, record = flight.scenario.loop.estimator, flight.record
-    if estimator.tuning == "sensors":
+    if tuned_by_sensors(flight.scenario.loop):
         return np.zeros(record.size, dtype=bool)
     variance = record[f"effectiveness_{channel}_std"] ** 2
     noise = estimator.process_noise[3 + estimator.channels.index(channel)]

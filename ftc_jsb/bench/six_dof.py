@@ -18,8 +18,8 @@ CHUNK = 50  # samples flown, then as many of the bare loop
 
 
 def six_dof_scenario(duration: float = 60.0) -> Scenario:
-    """The paper's scenario on the JSBSim F-16."""
-    return load_scenario("paper", ['model="jsbsim"', f"duration={duration}"])
+    """The JSBSim F-16 with real sensors, turbulence and the loop made for them."""
+    return load_scenario("turbulence", ['model="jsbsim"', f"duration={duration}"])
 
 
 class BareLoop:

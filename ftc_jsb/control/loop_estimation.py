@@ -125,6 +125,7 @@ def _weigh_acceleration(
     The accelerometers feel thrust and drag and not the gust that moves the airspeed, so that in
     turbulence they tell of the thrust what the airspeed cannot.
     """
+    x.acceleration_innovation, x.acceleration_innovation_std = math.nan, math.nan
     airspeed = x.filter.estimate[0]
     pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
     if not math.isfinite(drag_coefficient):  # no measured drag: the polar's, at the measured n
@@ -235,5 +236,7 @@ def law_effectiveness(s: Any, x: Any, row: Any) -> tuple[float, float, float]:
         thrust = row.effectiveness_thrust
         load_factor = row.effectiveness_load_factor
         bank_angle = row.effectiveness_bank_angle
+        if not math.isfinite(thrust):  # the truth of a stuck throttle cannot be told
+            thrust = 1.0
     floor = s.effectiveness_floor
     return max(thrust, floor), max(load_factor, floor), max(bank_angle, floor)

@@ -60,6 +60,8 @@ LOOP_STATE = np.dtype(
         ("measurement", float, (OUTPUTS,)),
         ("seen", float, (OUTPUTS,)),  # the same; where a sensor is silent, what is known instead
         ("altitude", float),  # [m], likewise
+        ("position", float, (2,)),  # north, east [m], likewise
+        ("trim_thrust", float),  # [N], at the start
         ("process_noise", float, (STATES,)),
         ("acceleration_innovation", float),  # [m/s^2]
         ("acceleration_innovation_std", float),

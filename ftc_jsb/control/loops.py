@@ -29,7 +29,7 @@ from ftc_jsb.control.python_loop import PythonLoop
 from ftc_jsb.control.tuning import covariances
 from ftc_jsb.disturbance.sensors import sensor_errors
 from ftc_jsb.errors import LoopError
-from ftc_jsb.scenario.schema import CHANNELS
+from ftc_jsb.scenario.schema import CHANNELS, Loop
 
 
 class Kind(NamedTuple):
@@ -125,7 +125,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["measurement_noise"] = estimator.measurement_noise
     s["initial_covariance"][:size] = estimator.initial_covariance
     tuned = covariances(sensor_errors(setup.sensors), dt)
-    if kind.robust or estimator.tuning == "sensors":
+    if tuned_by_sensors(loop):
         s["process_noise"][:3], s["measurement_noise"] = tuned.process, tuned.measurement
         s["initial_covariance"][:3] = tuned.measurement
         s["response_time"] = estimator.response_time
@@ -143,6 +143,12 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["detector_sigmas"] = detector.sigmas
     s["detector_hold"] = detector.hold
     return settings
+
+
+def tuned_by_sensors(loop: Loop) -> bool:
+    """Whether the covariances of a loop follow from the sensors, and not from its settings."""
+    kind = BUILT_IN.get(loop.name)
+    return loop.estimator.tuning == "sensors" or (kind is not None and kind.robust)
 
 
 def loop_names() -> dict[str, str]:

@@ -43,20 +43,39 @@ def outer_loop_step(settings: Any, model: Any, state: Any, record: Any, i: int) 
     x.measurement[0] = row.airspeed_meas
     x.measurement[1] = row.flight_path_angle_meas
     x.measurement[2] = row.heading_meas
-    if math.isfinite(row.altitude_meas):
-        x.altitude = row.altitude_meas
-    for k in range(OUTPUTS):  # a silent sensor leaves what the filter knows, or what was last seen
-        if math.isfinite(x.measurement[k]):
-            x.seen[k] = x.measurement[k]
-        elif s.estimator != NO_ESTIMATOR:
-            x.seen[k] = x.filter.estimate[k]
+    _see(s, x, row, i)
     at = at_condition(m, x.seen[0], x.altitude)
     if i == 0:
         _start(s, m, x, at, row)
     else:
+        _noise(s, m, x)
         estimate(s, m, x, at, row)
     report(s, m, x, at, row)
     _decide(s, m, x, at, row)
+
+
+@compiled
+def _see(s: Any, x: Any, row: Any, i: int) -> None:
+    """What is known of the state: where a sensor is silent, the filter's estimate, or what was last seen.
+
+    At the start that is the reference, which begins at the initial condition.
+    """
+    if i == 0:
+        x.seen[0] = row.airspeed_ref
+        x.seen[1] = row.flight_path_angle_ref
+        x.seen[2] = row.heading_ref
+        x.position[0], x.position[1], x.altitude = row.north_ref, row.east_ref, row.altitude_ref
+    for k in range(OUTPUTS):
+        if math.isfinite(x.measurement[k]):
+            x.seen[k] = x.measurement[k]
+        elif s.estimator != NO_ESTIMATOR and i > 0:
+            x.seen[k] = x.filter.estimate[k]
+    if math.isfinite(row.north_meas):
+        x.position[0] = row.north_meas
+    if math.isfinite(row.east_meas):
+        x.position[1] = row.east_meas
+    if math.isfinite(row.altitude_meas):
+        x.altitude = row.altitude_meas
 
 
 @compiled
@@ -89,12 +108,19 @@ def _start(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
         for b in range(f.count):
             f.covariance[a, b] = 0.0
         f.covariance[a, a] = s.initial_covariance[a]
-        x.process_noise[a] = s.process_noise[a]
-        if a >= OUTPUTS and s.response_time > 0.0:
-            x.process_noise[a] = _effectiveness_noise(s, m, x)
+    x.trim_thrust = x.trim[0]
     x.acceleration_innovation, x.acceleration_innovation_std = math.nan, math.nan
     x.detector.declared = 0
     x.detector.elapsed = 0.0
+
+
+@compiled
+def _noise(s: Any, m: Any, x: Any) -> None:
+    """Q of this sample: settings may be changed in flight."""
+    for a in range(x.filter.count):
+        x.process_noise[a] = s.process_noise[a]
+        if a >= OUTPUTS and s.response_time > 0.0:
+            x.process_noise[a] = _effectiveness_noise(s, m, x)
 
 
 @compiled
@@ -111,7 +137,7 @@ def _effectiveness_noise(s: Any, m: Any, x: Any) -> float:
         steps = s.response_time / s.dt
         noise = (s.process_noise[0] * steps + 2.0 * s.measurement_noise[0]) / s.response_time**2
         noise *= steps
-    r = noise * (m.mass / max(x.trim[0], 0.1 * m.mass * m.gravity)) ** 2
+    r = noise * (m.mass / max(x.trim_thrust, 0.1 * m.mass * m.gravity)) ** 2
     return float(r * (s.dt / s.response_time) ** 2)
 
 
@@ -125,9 +151,9 @@ def _path_demand(s: Any, x: Any, row: Any, airspeed: float, path: float) -> Any:
     meant = velocity(*reference)
     far, fast = s.path_gains[0], s.path_gains[1]
     total = (
-        wanted[0] - far * (row.north_meas - row.north_ref) - fast * (moving[0] - meant[0]),
-        wanted[1] - far * (row.east_meas - row.east_ref) - fast * (moving[1] - meant[1]),
-        wanted[2] - far * (row.altitude_meas - row.altitude_ref) - fast * (moving[2] - meant[2]),
+        wanted[0] - far * (x.position[0] - row.north_ref) - fast * (moving[0] - meant[0]),
+        wanted[1] - far * (x.position[1] - row.east_ref) - fast * (moving[1] - meant[1]),
+        wanted[2] - far * (x.altitude - row.altitude_ref) - fast * (moving[2] - meant[2]),
     )
     return rates_of(airspeed, path, x.seen[2], total)
 

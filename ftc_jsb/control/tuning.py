@@ -10,10 +10,10 @@ import math
 from typing import NamedTuple
 
 from ftc_jsb.disturbance.sensor_profiles import Errors
+from ftc_jsb.disturbance.weather import SCALE_LENGTH, intensity
 from ftc_jsb.units import STANDARD_GRAVITY
 
-GUST = 2.7  # [m/s], rms of moderate turbulence at 3 km (MIL-F-8785C fig. 7)
-SCALE_LENGTH = 533.4  # [m], 1750 ft, above 2000 ft
+GUST = intensity("moderate", 3048.0)  # [m/s]
 DESIGN_AIRSPEED = 250.0  # [m/s]
 LEAST = 1e-10  # a variance that stands for none: the one printed in the paper
 

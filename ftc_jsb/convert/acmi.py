@@ -45,7 +45,7 @@ def _lines(flight: Flight) -> Iterator[str]:
     yield "#0"
     yield f"{AIRCRAFT},Name={_text(name)},Type=Air+FixedWing,Pilot={_text(flight.label)}"
     record = flight.record
-    step = max(math.ceil(scenario.loop.rate / RATE), 1)
+    step = max(math.ceil(1.0 / (flight.row_period * RATE) - 1e-9), 1)
     faults = set(fault_steps(record["effectiveness_thrust"], scenario).tolist())
     longitude, latitude = _places(flight)
     for i in sorted({*range(0, record.size, step), *faults, record.size - 1}):

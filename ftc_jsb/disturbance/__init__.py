@@ -1,1 +1,1 @@
-"""What goes wrong in a flight: faults."""
+"""What a flight is disturbed by: faults, sensors, wind."""

@@ -19,7 +19,7 @@ INTENSITY = {
     "severe": (15.6, 17.6, 23.0, 23.6, 22.1, 20.0, 16.0, 15.1, 12.1),
 }
 SCALE_LENGTH = 1750.0 * FOOT  # [m], above 2000 ft
-LOW_ALTITUDE = 1000.0 * FOOT  # [m], below which scale lengths shrink with height
+LOW, HIGH = 1000.0, 2000.0  # [ft]: between, scale lengths go from one rule to the other
 SEVERITY = {"light": 3, "moderate": 4, "severe": 6}  # JSBSim's numbers of those probabilities
 
 
@@ -46,12 +46,20 @@ def wind_record(wind: Wind, altitude: float, seed: int, dryden: bool) -> npt.NDA
         w["gust"][index] = (*level, gust.updraught, gust.start, gust.length, gust.hold)
     if dryden and wind.turbulence != "none":
         w["turbulence"] = intensity(wind.turbulence, altitude)
-        w["length"] = SCALE_LENGTH if altitude > LOW_ALTITUDE else max(altitude, 30.0)
+        w["length"] = scale_length(altitude)
     w["seed"] = seed
     w["still"] = not (
         wind.speed or wind.shear or wind.gust or (dryden and wind.turbulence != "none")
     )
     return record
+
+
+def scale_length(altitude: float) -> float:
+    """Scale length of turbulence [m] at an altitude [m]: MIL-F-8785C, 3.7.3, the level one near the ground."""
+    height = max(altitude / FOOT, 10.0)
+    if height <= LOW:
+        return float(height / (0.177 + 0.000823 * height) ** 1.2 * FOOT)
+    return float(np.interp(height, (LOW, HIGH), (LOW * FOOT, SCALE_LENGTH)))
 
 
 def intensity(turbulence: str, altitude: float) -> float:

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from ftc_jsb.control.loop_records import NO_ESTIMATOR
-from ftc_jsb.control.loops import BUILT_IN
+from ftc_jsb.control.loops import BUILT_IN, tuned_by_sensors
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.scenario.schema import Loop
 from ftc_jsb.simulation.commands import SetLoop
@@ -90,7 +90,7 @@ def loop_parameters(loop: Loop) -> tuple[Parameter, ...]:
     if kind.integral:
         found += INTEGRAL
     if kind.estimator != NO_ESTIMATOR:
-        tuned = kind.robust or loop.estimator.tuning == "sensors"
+        tuned = tuned_by_sensors(loop)
         found += DETECTOR + (TUNED if tuned else COVARIANCES)
     return found
 

@@ -84,6 +84,7 @@ class Observatory:
         if not math.isfinite(sum(rates)):  # a point mass has none
             before = record[max(i - 1, 0)]
             then = (float(before["roll"]), float(before["pitch"]), float(before["yaw"]))
-            rates = self._rates(then, now, self._dt)
+            apart = float(record[i]["time"] - before["time"])  # more than a sample if thinned
+            rates = self._rates(then, now, apart or self._dt)
         idle, most = self._limits(self._model, row["airspeed"], row["altitude"])
         return Snapshot(phase, counters, unix, row, now, rates, idle, most, self._origin)

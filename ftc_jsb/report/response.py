@@ -56,7 +56,7 @@ def response_metrics(flight: Flight) -> dict[str, Any]:
         found[axis.key] = {
             "rms": float(np.sqrt(np.mean(error**2))) if error.size else None,
             "peak": float(np.abs(error).max()) if error.size else None,
-            "delay_s": _delay(command, answer, flight.scenario.loop.rate),
+            "delay_s": _delay(command, answer, 1.0 / flight.row_period),
         }
     return found
 

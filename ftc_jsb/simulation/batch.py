@@ -5,6 +5,7 @@ The cases share reference, duration and rate; everything else may differ. Every 
 many there are.
 """
 
+import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -106,6 +107,8 @@ def fly_cases(
     """
     for c in range(result.size):
         for i in range(record.size):
+            record[i].effectiveness_thrust_est = math.nan  # a loop without an estimator writes none
+            record[i].fault_declared = 0.0
             row = table[i, FIRST_SCHEDULED : FIRST_SCHEDULED + len(SCHEDULE)]
             present(faults[c], record[i].time, engines[c], row)
         last, reason = point_mass_flight(

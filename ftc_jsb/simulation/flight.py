@@ -34,6 +34,13 @@ class Flight(NamedTuple):
     provenance: Provenance | None = None  # of a recording that was read back; None: flown here
 
     @property
+    def row_period(self) -> float:
+        """Time between two rows [s]: a sample's, or several where the recording was thinned."""
+        if self.record.size < 2:
+            return 1.0 / self.scenario.loop.rate
+        return float(self.record["time"][1] - self.record["time"][0])
+
+    @property
     def label(self) -> str:
         """`<model>-<loop>`, the flight's name in reports and files."""
         return f"{self.scenario.model}-{self.scenario.loop.name.replace(':', '.')}"

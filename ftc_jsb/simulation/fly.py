@@ -17,7 +17,7 @@ from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.disturbance.sensors import Senses, sensor_record
 from ftc_jsb.disturbance.weather import wind_record
-from ftc_jsb.errors import AircraftError, LoopError, ScenarioError
+from ftc_jsb.errors import ScenarioError, UserError
 from ftc_jsb.point_mass.parameters import PointMass, load_point_mass
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.reference import raw_commands
@@ -85,7 +85,7 @@ def fly(
                 break
             for observe in observers:
                 observe(record, last)
-    except (AircraftError, LoopError) as error:
+    except UserError as error:
         rows = max(rows, 1)  # a row that has not been flown is not kept, but for the first
         outcome = Outcome("failed", (rows - 1) * dt, str(error))
     except KeyboardInterrupt:

@@ -10,7 +10,7 @@ FLYING, NOT_FINITE, STOPPED, VERTICAL, STALLED, GROUND, DRY = range(7)
 LEAST_FUEL = 0.5  # [kg]: what is left when JSBSim's engines starve
 
 REASONS = {
-    NOT_FINITE: "the state is no longer finite",
+    NOT_FINITE: "the state or a command is no longer finite",
     STOPPED: "airspeed below 30 m/s",
     VERTICAL: "flight path steeper than 85 deg, where (41) is singular",
     STALLED: "angle of attack beyond 60 deg",
@@ -26,6 +26,10 @@ def departed(record: Any, i: int) -> int:
     total = row.airspeed + row.flight_path_angle + row.heading + row.altitude + row.load_factor
     if not math.isfinite(total + row.bank_angle + row.thrust):
         return NOT_FINITE
+    if i > 0:
+        before = record[i - 1]
+        if not math.isfinite(before.thrust_cmd + before.load_factor_cmd + before.bank_angle_cmd):
+            return NOT_FINITE
     if row.airspeed < 30.0:  # [m/s]
         return STOPPED
     if abs(row.flight_path_angle) > math.radians(85.0):

@@ -30,13 +30,14 @@ def replay(flight: Flight, observers: Sequence[Observer] = ()) -> Flight:
     commands = list(flight.commands)
     cut = flight.outcome.status in ("ended", "interrupted")
     if cut and not (commands and isinstance(commands[-1].command, End | Reset)):
-        commands.append(Applied(flight.record.size, End()))  # where Ctrl-C came
+        row = round(flight.outcome.time * flight.scenario.loop.rate)
+        commands.append(Applied(max(row, 1), End()))  # where Ctrl-C came
     return fly(flight.scenario, observers, commands=RecordedCommands(commands))
 
 
 def differences(flight: Flight, again: Flight) -> list[Difference]:
     """Variables that are not the same to the bit (nan is the same as nan), the earliest first."""
-    one, other = flight.record, again.record
+    one, other = flight.record, again.record[:: flight.scenario.simulation.record_every]
     rows = min(one.size, other.size)
     found = []
     for name in ROW.names or ():

@@ -11,6 +11,8 @@ from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.units import FOOT
 
 MILSPEC = 3  # JSBSim's number of the MIL-F-8785C model
+# MIL-F-8785C, 3.7.3: 15, 30, 45 knots near the ground [ft/s]; turbulence below 2000 ft goes by it
+WIND_AT_20_FT = {"light": 25.3, "moderate": 50.6, "severe": 75.9}
 # JSBSim's generator is a linear congruence: neighbouring seeds give like numbers, 0 those of 1
 SPREAD, MODULUS = 2654435761, 2**31 - 2
 
@@ -26,6 +28,7 @@ def set_turbulence(fdm: Any, wind: Wind, seed: int) -> None:
     write_checked(fdm, "atmosphere/randomseed", float(1 + seed * SPREAD % MODULUS))
     write_checked(fdm, "atmosphere/turb-type", float(MILSPEC))
     name = "atmosphere/turbulence/milspec"
+    write_checked(fdm, f"{name}/windspeed_at_20ft_AGL-fps", WIND_AT_20_FT[wind.turbulence])
     write_checked(fdm, f"{name}/severity", float(SEVERITY[wind.turbulence]))
 
 

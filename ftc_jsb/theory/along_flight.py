@@ -54,7 +54,7 @@ def flight_remainder(flight: Flight, delay: float | None = None) -> Array:
     if delay is None:
         trim = np.stack([record[f"trim_input_{name}"] for name in names], axis=1)
     else:
-        steps = max(round(delay * flight.scenario.loop.rate), 1)
+        steps = max(round(delay / flight.row_period), 1)
         trim = np.concatenate([np.repeat(u[:1], steps, axis=0), u[:-steps]])
     k = np.stack([record[f"effectiveness_{name}"] for name in names], axis=1)
     x = np.stack([record[name] for name in OUTPUTS], axis=1)

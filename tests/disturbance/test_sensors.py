@@ -131,8 +131,10 @@ def test_frozen_sensor_stays_where_it_was():
 
 
 @pytest.mark.parametrize("model", ["identified", "jsbsim"])
-@pytest.mark.parametrize("target", ["airspeed", "alpha", "pitch", "altitude", "load_factor_z"])
-@pytest.mark.parametrize("loop", ["ftc", "no-ftc", "integral", "robust"])
+@pytest.mark.parametrize(
+    "target", ["airspeed", "alpha", "pitch", "altitude", "load_factor_z", "north"]
+)
+@pytest.mark.parametrize("loop", ["ftc", "integral", "robust", "path"])
 def test_silent_sensor_does_not_bring_the_loop_down(model, target, loop):
     """Two seconds without a signal, in the turn: every command finite, the flight inside its limits.
 
@@ -148,3 +150,12 @@ def test_silent_sensor_does_not_bring_the_loop_down(model, target, loop):
     for name in ("thrust_cmd", "load_factor_cmd", "bank_angle_cmd"):
         assert np.isfinite(flight.record[name]).all()
     assert flight_metrics(flight)["status"] == "complete"
+
+
+@pytest.mark.parametrize("target", ["airspeed", "altitude"])
+def test_sensor_that_is_silent_from_the_start_is_begun_without(target):
+    """The loop begins at its reference, which starts at the initial condition, and flies on."""
+    text = f'target="{target}", kind="dropout", start=0.0, end=2.0'
+    flight = fly(load_scenario("nominal", [MODEL, "duration=5", fault(text)]))
+    assert flight_metrics(flight)["status"] == "complete"
+    assert flight_metrics(flight)["peak_error_airspeed_mps"] < 1.0

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.signal import welch
 
-from ftc_jsb.disturbance.weather import intensity, wind_record
+from ftc_jsb.disturbance.weather import intensity, scale_length, wind_record
 from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Wind
@@ -109,6 +109,24 @@ def test_jsbsim_turbulence_is_as_strong_as_the_report_says():
         assert record[name].std() == pytest.approx(intensity("moderate", 3048.0), rel=0.5)
     weak = flown("jsbsim", "wind.turbulence=light", "loop.name=robust", "fault=[]")
     assert weak["wind_up"].std() < record["wind_up"].std()
+
+
+def test_jsbsim_turbulence_is_there_near_the_ground():
+    """At 250 m, where it goes by the wind at 20 ft: MIL-F-8785C has 0.1 x 50.6 ft/s, 1.54 m/s, up and down."""
+    record = flown(
+        "jsbsim", "wind.turbulence=moderate", "loop.name=robust", "fault=[]", "initial.altitude=250",
+        "initial.airspeed=200", "reference.airspeed=[[0,200]]", "reference.flight_path_deg=[[0,0]]",
+        "reference.heading_deg=[[0,0]]",
+    )  # fmt: skip
+    assert record["wind_up"].std() == pytest.approx(1.54, rel=0.5)
+
+
+def test_scale_length_goes_from_one_rule_to_the_other():
+    """MIL-F-8785C, 3.7.3: 1750 ft from 2000 ft up, h / (0.177 + 0.000823 h)^1.2 up to 1000 ft."""
+    assert scale_length(3048.0) == pytest.approx(1750.0 * 0.3048)
+    assert scale_length(1000.0 * 0.3048) == pytest.approx(1000.0 * 0.3048)
+    assert scale_length(1500.0 * 0.3048) == pytest.approx(1375.0 * 0.3048)
+    assert scale_length(500.0 * 0.3048) == pytest.approx(500.0 / (0.177 + 0.4115) ** 1.2 * 0.3048)
 
 
 @pytest.mark.parametrize("model", ["identified", "jsbsim"])

@@ -34,6 +34,16 @@ def test_cases_of_a_batch_are_the_flights_of_fly():
             assert value == pytest.approx(metrics[name], rel=1e-9), name
 
 
+def test_a_case_without_an_estimator_has_no_error_of_the_estimate():
+    """Not the one of the case before."""
+    scenarios = [
+        load_scenario("paper", ["duration=5", f"loop.name={n}"]) for n in ("ftc", "integral")
+    ]
+    one, other = fly_batch(scenarios)
+    assert np.isfinite(one["effectiveness_error"])
+    assert np.isnan(other["effectiveness_error"])
+
+
 def test_a_batch_of_nothing_is_empty():
     assert fly_batch([]).size == 0
 

@@ -210,3 +210,37 @@ def test_recording_with_bad_commands_is_refused(tmp_path, flown):
         dataset.to_netcdf(path, engine="netcdf4")
         with pytest.raises(RecordingError, match="commands"):
             load(path)
+
+
+@pytest.mark.parametrize(
+    ("loop", "key", "value"),
+    [
+        ("ftc", "estimator.process_noise[3]", 1e-6),
+        ("ftc", "estimator.measurement_noise[0]", 1e-6),
+        ("robust", "estimator.response_time", 3.0),
+        ("ftc", "trim_filter", 10.0),
+    ],
+)
+def test_setting_of_the_filter_acts_in_flight(loop, key, value):
+    """Set at 5 s, the estimate's standard deviation or the commands are others soon after."""
+    overrides = [f"loop.name={loop}", "duration=8", "sensors.profile=tactical"]
+    plain = fly(load_scenario("paper", overrides)).record
+    changed = flown_with(
+        (500, c.SetLoop(key=key, value=value)), scenario="paper", overrides=overrides
+    ).record
+    names = ("effectiveness_thrust_std", "thrust_cmd")
+    assert all(np.array_equal(plain[n][:500], changed[n][:500]) for n in names)
+    assert any(not np.array_equal(plain[n][510:], changed[n][510:]) for n in names)
+
+
+@pytest.mark.parametrize("cut", [None, 700])
+def test_thinned_recording_is_replayed(tmp_path, cut):
+    """Every tenth sample saved, of a whole flight and of one that was ended: the same again to the bit."""
+    overrides = ["duration=12", "simulation.record_every=10"]
+    given = () if cut is None else ((cut, c.End()),)
+    flight = flown_with(*given, scenario="paper", overrides=overrides)
+    save(flight, tmp_path / "flight.nc")
+    loaded = load(tmp_path / "flight.nc")
+    assert loaded.record.size < flight.record.size / 9
+    assert loaded.row_period == pytest.approx(0.1)
+    assert differences(loaded, replay(loaded)) == []

@@ -143,3 +143,58 @@ def test_fault_that_makes_no_sense_is_refused_with_what_was_expected(keys, says)
     with pytest.raises(ScenarioError) as refusal:
         load_scenario("paper", [override(start=10.0, **keys)])
     assert says in str(refusal.value)
+
+
+def test_one_of_two_engines_lost_is_half_the_thrust_and_a_yaw_that_is_held():
+    """F-15, right engine out at 20 s: 0.5 within 0.05, found within 1.5 s, inside every limit.
+
+    The rudder holds the moment of the other engine: it moves, sideslip stays within 0.5 deg.
+    """
+    flight = fly(load_scenario("engine-out"))
+    metrics, record = flight_metrics(flight), flight.record
+    assert metrics["limits_broken"] == []
+    assert metrics["detection_delay_s"] < 1.5
+    late = record["time"] > 23.0
+    assert np.abs(record["effectiveness_thrust_est"][late] - 0.5).max() < 0.05
+    assert np.all(record["engine_1_state"][late] == 1.0)
+    assert abs(record["rudder"][-1] - record["rudder"][1900]) > 1e-3
+    assert metrics["peak_sideslip_deg"] < 0.5
+
+
+@pytest.mark.parametrize("scenario", ["f15", "f4n", "a4", "t38"])
+def test_every_fighter_meets_its_targets(scenario):
+    """Its own manoeuvre, 1 to 0.6 at 20 s: what docs/validation.md reports, but where it says why not.
+
+    |estimate - truth| within 0.01 (95 %) and 0.03, airspeed within 0.4 m/s RMS and six times better
+    than without, path within 0.06 deg and heading within 0.15 deg, which the F-15's roll rate denies it.
+    """
+    metrics = flight_metrics(fly(load_scenario(scenario)))
+    without = flight_metrics(fly(load_scenario(scenario, ["loop.name=no-ftc"])))
+    assert metrics["limits_broken"] == []
+    assert metrics["effectiveness_thrust_error_p95"] <= 0.01
+    assert metrics["effectiveness_thrust_error_max"] <= 0.03
+    assert metrics["rmse_airspeed_mps"] <= 0.4
+    assert without["rmse_airspeed_mps"] >= 6.0 * metrics["rmse_airspeed_mps"]
+    path, heading = (0.15, 0.2) if scenario == "f15" else (0.06, 0.15)
+    assert metrics["rmse_flight_path_deg"] <= path
+    assert metrics["rmse_heading_deg"] <= heading
+
+
+@pytest.mark.parametrize("name", ["f15", "F4N", "A4", "T38"])
+@pytest.mark.parametrize("surface", ["elevator", "aileron", "rudder"])
+def test_surface_of_every_fighter_can_be_stuck(name, surface):
+    """Held for half a second and freed: it does not move meanwhile, and the flight goes on."""
+    stuck = override(target=surface, kind="stuck", start=2.0, end=2.5)
+    settings = [
+        "model=jsbsim",
+        f"aircraft.name={name}",
+        "initial.airspeed=220",
+        "duration=4",
+        stuck,
+    ]
+    settings += ["reference.airspeed=[[0,220]]", "reference.heading_deg=[[0,0],[1,0],[4,10]]"]
+    flight = fly(load_scenario("paper", settings))
+    position = flight.record[surface]
+    assert flight.outcome.status == "complete"
+    assert np.ptp(position[202:250]) < 1e-12
+    assert np.ptp(position[:200]) > 1e-6

@@ -72,7 +72,7 @@ def row(title: str, flights: Sequence[Flown]) -> str:
 
 
 def robust_table(scenario: str = "paper") -> Iterator[str]:
-    """The loops under the disturbances that the issue names, and with parts of them."""
+    """The loops under real sensors and moderate turbulence, and under parts of them."""
     yield (
         "| flight | effectiveness error, 95 % of all samples | largest | slowest detection [s] "
         "| not detected | false alarms | median RMSE V [m/s] | complete |"
