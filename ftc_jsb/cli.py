@@ -188,7 +188,9 @@ def report(recordings: tuple[Path, ...], out: Path | None, force: bool, as_json:
 
 @main.command()
 @click.argument("recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path))
-@click.option("--to", "format_", metavar="FORMAT", required=True, help="See docs/scenarios.md.")
+@click.option(
+    "--to", "format_", metavar="FORMAT", required=True, help="csv, mat, parquet, acmi or tlog."
+)
 @click.option(
     "--out", metavar="FILE", type=click.Path(path_type=Path), help="Default: beside the recording."
 )
@@ -244,7 +246,7 @@ def replay(recording: Path, **live: Any) -> None:
     from ftc_jsb.simulation.replay import replay as fly_again
 
     flight = load(recording)
-    with _live(flight.scenario, **{**live, "readonly": True}) as beside:
+    with _live(flight.scenario, **{**live, "readonly": live["endpoint"] is not None}) as beside:
         again = fly_again(flight, beside.observers if beside else ())
         if beside is not None:
             beside.flies_again(again)
@@ -267,7 +269,7 @@ def replay(recording: Path, **live: Any) -> None:
 
 
 @main.command()
-@click.argument("file", metavar="FILE")
+@click.argument("file", metavar="SCENARIO")
 @_set_option
 def check(file: str, overrides: tuple[str, ...]) -> None:
     """Read and validate a scenario, its aircraft and its loops, without flying."""
@@ -475,6 +477,13 @@ def _live(
     linger: float | None,
 ) -> Iterator[Any]:
     """What flies beside: nothing, or real time, a vehicle and a log."""
+    from ftc_jsb.errors import ScenarioError
+
+    if endpoint is None and (key is not None or readonly):
+        name = "--mavlink-key" if key is not None else "--mavlink-readonly"
+        raise ScenarioError(f"{name}: there is no link without --mavlink ENDPOINT")
+    if tlog is not None and tlog.exists():
+        raise ScenarioError(f"--tlog {tlog}: exists; give another file")
     if realtime is None and endpoint is None and tlog is None:
         yield None
         return

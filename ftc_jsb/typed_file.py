@@ -15,7 +15,7 @@ class Section(BaseModel):
 
 # What pydantic says of a Python type, in words of the file.
 _EXPECTED = {
-    "tuple_type": "expected a list, such as [1, 2, 3]",
+    "tuple_type": "expected a list, such as [1, 2, 3]; of sections, such as [{start=5}]",
     "list_type": "expected a list, such as [1, 2, 3]",
     "model_type": "expected a section of keys",
     "model_attributes_type": "expected a section of keys",

@@ -19,7 +19,7 @@ def fault_times(flight: Flight) -> list[float]:
         time
         for fault in flight.scenario.fault
         for time in (fault.start, fault.end)
-        if time is not None and time <= record["time"][-1]
+        if time is not None and time < record["time"][-1]
     ]
     return sorted(set(np.round([*steps, *planned], 6).tolist()))[:MOST]
 

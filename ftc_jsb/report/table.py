@@ -39,10 +39,10 @@ def print_table(metrics: dict[str, Metrics]) -> None:
     else:
         title = "RMSE of V, path and heading; largest error of the effectiveness k"
         table = Table(title=title, box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
-        table.add_column("flight", no_wrap=True)
+        table.add_column("flight", overflow="fold")
         for heading in HEADINGS:
             table.add_column(Text(heading), justify="right", no_wrap=True)
-        table.add_column("verdict")  # the one that may wrap
+        table.add_column("verdict", min_width=13)  # the one that may wrap, beside a long name
         chosen = {number.key: number for number in NUMBERS}
         for (label, values), word in zip(metrics.items(), verdicts, strict=True):
             table.add_row(label, *(shown(chosen[key], values) for key in COLUMNS), word)

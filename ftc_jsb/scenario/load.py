@@ -26,13 +26,13 @@ def scenario_path(name: str) -> Path:
         ScenarioError: neither exists.
     """
     path = Path(name)
+    candidate = shipped("scenarios") / f"{name}.toml"
+    if path.suffix != ".toml" and path.name == name and candidate.is_file():
+        return candidate  # whatever the working folder has of that name
     if path.is_file():
         return path
     if path.is_dir():
         raise ScenarioError(f"{name}: is a folder; expected the path of a scenario (.toml)")
-    candidate = shipped("scenarios") / f"{name}.toml"
-    if path.suffix != ".toml" and path.name == name and candidate.is_file():
-        return candidate
     if path.suffix == ".toml" or path.name != name:
         raise ScenarioError(f"{name}: no such file; expected the path of a scenario (.toml)")
     known = ", ".join(scenario_names())

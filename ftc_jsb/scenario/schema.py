@@ -213,7 +213,8 @@ class Fault(Section):
             given = getattr(self, key) is not None
             if given != (key == needed):
                 state = "needs" if key == needed else "does not take"
-                raise ValueError(f"{self.kind!r} of {self.target!r} {state} the key {key!r}")
+                hint = f"; it needs {needed!r}" if needed and key != needed else ""
+                raise ValueError(f"{self.kind!r} of {self.target!r} {state} the key {key!r}{hint}")
         if self.shape == "ramp" and self.kind not in _RAMPED:
             raise ValueError(f"shape: {self.kind!r} is there or not; it cannot be a ramp")
         return self

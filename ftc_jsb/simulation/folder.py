@@ -21,8 +21,8 @@ def output_folder(out: Path | None, name: str, force: bool, key: str = "--out") 
     Raises:
         RecordingError: the folder is not empty, or cannot be made or written.
     """
-    folder = out or Path("out") / f"{name}-{datetime.now():%Y%m%d-%H%M%S}"
-    made = not folder.exists()
+    folder = out or _unused(Path("out") / f"{name}-{datetime.now():%Y%m%d-%H%M%S}")
+    made = out is None or not folder.exists()
     _prepare(folder, force, key)
     try:
         yield folder
@@ -31,6 +31,24 @@ def output_folder(out: Path | None, name: str, force: bool, key: str = "--out") 
             folder.rmdir()
             if out is None and not any(folder.parent.iterdir()):
                 folder.parent.rmdir()
+
+
+def _unused(folder: Path) -> Path:
+    """`folder`, or the first of folder-2, folder-3, ... that no other flight has taken; made.
+
+    Raises:
+        RecordingError: it cannot be made.
+    """
+    candidate, number = folder, 1
+    while True:
+        try:
+            candidate.mkdir(parents=True)
+            return candidate
+        except FileExistsError:
+            number += 1
+            candidate = folder.with_name(f"{folder.name}-{number}")
+        except OSError as error:
+            raise RecordingError(f"--out {folder}: cannot be made: {error.strerror}") from None
 
 
 def _prepare(folder: Path, force: bool, key: str) -> None:

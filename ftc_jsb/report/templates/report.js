@@ -112,6 +112,7 @@
     return {
       height, margin: MARGIN, paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", uirevision: "kept",
       font: { color: colour("ink"), size: 11, family: "system-ui, sans-serif" },
+      modebar: { bgcolor: "rgba(0,0,0,0)", color: colour("soft"), activecolor: colour("ink") },
       hoverlabel: { bgcolor: colour("card"), bordercolor: colour("rule"), font: { color: colour("ink"), size: 11 }, namelength: -1 },
     };
   }
@@ -149,7 +150,7 @@
     return {
       data,
       layout: {
-        ...paper(440), margin: { l: 0, r: 0, t: 0, b: 0 }, showlegend: false,
+        ...paper(440), margin: { l: 16, r: 0, t: 24, b: 0 }, showlegend: false,
         scene: {
           xaxis: plain("East [km]"), yaxis: plain("North [km]"), zaxis: plain("Altitude [km]"), ...scale,
           camera: { center: { x: 0, y: 0, z: -0.15 }, eye: eye(Number(byId("turn").value)) },
