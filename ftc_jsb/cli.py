@@ -27,6 +27,10 @@ _out_option = click.option(
     "--out", metavar="DIR", type=click.Path(path_type=Path), help="Folder for the results."
 )
 _force_option = click.option("--force", is_flag=True, help="Write into DIR though it is not empty.")
+_margins_option = click.option(
+    "--margins", "margin_files", metavar="FILE", multiple=True, type=click.Path(path_type=Path),
+    help="margins.json of `ftc-jsb margins`, shown with the flights that it is of.",
+)  # fmt: skip
 _json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON for machines.")
 
 
@@ -149,18 +153,25 @@ def fly(
 @_out_option
 @_force_option
 @_json_option
+@_margins_option
 def compare(
-    scenario: str, overrides: tuple[str, ...], out: Path | None, force: bool, as_json: bool
+    scenario: str,
+    overrides: tuple[str, ...],
+    out: Path | None,
+    force: bool,
+    as_json: bool,
+    margin_files: tuple[Path, ...],
 ) -> None:
     """Fly every model and loop of [compare]; write recordings, metrics.json and report.html."""
     from ftc_jsb.simulation.folder import output_folder
     from ftc_jsb.simulation.session import compare_and_save
 
     flown = _load(scenario, overrides)
+    margins = _margins(margin_files)
     with output_folder(out, f"compare-{flown.name}", force) as folder:
         _announce(flown)
         flights, interrupted = compare_and_save(flown, folder, _progress_for(flown, as_json))
-        _write_report(flights, folder, as_json)
+        _write_report(flights, folder, as_json, margins=margins)
     if interrupted:
         sys.exit(INTERRUPTED)
 
@@ -172,16 +183,24 @@ def compare(
 @_out_option
 @_force_option
 @_json_option
-def report(recordings: tuple[Path, ...], out: Path | None, force: bool, as_json: bool) -> None:
+@_margins_option
+def report(
+    recordings: tuple[Path, ...],
+    out: Path | None,
+    force: bool,
+    as_json: bool,
+    margin_files: tuple[Path, ...],
+) -> None:
     """Write the report of recordings that exist."""
     from ftc_jsb.simulation.folder import output_folder
     from ftc_jsb.simulation.session import labelled_recordings
 
+    margins = _margins(margin_files)
     flights, broken = labelled_recordings(recordings)
     for message in broken:
         click.echo(f"ftc-jsb: {message}", err=True)
     with output_folder(out, "report", force) as folder:
-        _write_report(flights, folder, as_json, tuple(broken))
+        _write_report(flights, folder, as_json, tuple(broken), margins)
     if broken:
         sys.exit(BAD_USAGE)
 
@@ -525,14 +544,24 @@ def _paced(watch: Any, rate: float) -> Any:
     return paced
 
 
+def _margins(files: Sequence[Path]) -> list[Any]:
+    from ftc_jsb.report.known_margins import read_margins
+
+    return [read_margins(path) for path in files]
+
+
 def _write_report(
-    flights: dict[str, Any], folder: Path, as_json: bool, unread: tuple[str, ...] = ()
+    flights: dict[str, Any],
+    folder: Path,
+    as_json: bool,
+    unread: tuple[str, ...] = (),
+    margins: Sequence[Any] = (),
 ) -> None:
     from ftc_jsb.report.page import write_report
     from ftc_jsb.report.table import print_table
 
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
-    document = write_report(flights, folder, command, unread)
+    document = write_report(flights, folder, command, unread, margins)
     if as_json:
         click.echo(json.dumps(document, indent=2))
     else:

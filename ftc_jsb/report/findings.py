@@ -1,6 +1,6 @@
 """Every number that a report shows, as `metrics.json` holds it; and the series behind its charts."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from ftc_jsb.errors import UserError
 from ftc_jsb.metrics import Metrics, flight_metrics, passed
 from ftc_jsb.report.groups import by_scenario, loop_pairs, model_pairs
+from ftc_jsb.report.known_margins import KnownMargins, margins_of
 from ftc_jsb.report.numbers import NUMBERS
 from ftc_jsb.report.residuals import Residuals, flight_residuals, residual_metrics
 from ftc_jsb.report.response import response_metrics
@@ -29,14 +30,19 @@ class Findings(NamedTuple):
     problems: list[str]  # what could not be found, and why
 
 
-def find(flights: Flights) -> Findings:
-    """Analyse flights one by one and against each other; what fails is said and stops nothing else."""
+def find(flights: Flights, margins: Sequence[KnownMargins] = ()) -> Findings:
+    """Analyse flights one by one and against each other; what fails is said and stops nothing else.
+
+    Args:
+        flights: by label.
+        margins: measured apart, for the flights that they are of.
+    """
     problems: list[str] = []
     residuals: dict[str, Residuals] = {}
     theory: dict[str, Stability] = {}
     metrics: dict[str, Metrics] = {}
     for label, flight in flights.items():
-        entry = flight_metrics(flight)
+        entry = {**flight_metrics(flight), **margins_of(flight, margins)}
         entry["response"] = response_metrics(flight)
         try:
             residuals[label] = flight_residuals(flight)

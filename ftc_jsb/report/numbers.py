@@ -45,9 +45,11 @@ NUMBERS = (
     Number("saturated_time_s", "Time at a limit of thrust or load factor", "s", 2, True),
     Number("peak_climb_given_up_deg", "Climb given up for want of thrust", "deg", 2, True),
     Number("peak_turn_given_up_deg_s", "Turn given up for want of thrust", "deg/s", 2, True),
-    Number("gain_margin_db", "Gain margin", "dB", 1, group="Margins of the outer loop"),
-    Number("phase_margin_deg", "Phase margin", "deg", 1),
-    Number("delay_margin_s", "Delay margin", "s", 3),
+    Number(
+        "gain_margin_db", "Gain margin, least input", "dB", 1, group="Margins of the outer loop"
+    ),
+    Number("phase_margin_deg", "Phase margin, least input", "deg", 1),
+    Number("delay_margin_s", "Delay margin, least input", "s", 3),
     Number("peak_load_factor", "Load factor, peak", "", 2, group="Envelope"),
     Number("peak_bank_deg", "Bank, peak", "deg", 1),
     Number("peak_sideslip_deg", "Sideslip, peak", "deg", 2),

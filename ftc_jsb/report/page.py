@@ -1,6 +1,7 @@
 """The report: one self-contained HTML file, its figures, and the numbers beside it."""
 
 import json
+from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from ftc_jsb.report.figures.draw import draw_all
 from ftc_jsb.report.figures.style import FORMATS
 from ftc_jsb.report.findings import Findings, Flights, find
 from ftc_jsb.report.groups import by_scenario, plain, scenario_differences
+from ftc_jsb.report.known_margins import KnownMargins
 from ftc_jsb.report.marks import fault_times
 from ftc_jsb.report.quote import Quote, quote
 from ftc_jsb.report.result_table import result_table
@@ -30,7 +32,11 @@ COLOURS = 6  # that the page's style sheet has
 
 
 def write_report(
-    flights: Flights, folder: Path, command: str, unread: tuple[str, ...] = ()
+    flights: Flights,
+    folder: Path,
+    command: str,
+    unread: tuple[str, ...] = (),
+    margins: Sequence[KnownMargins] = (),
 ) -> dict[str, Any]:
     """Write `report.html`, `metrics.json` and `figures/` for flights by label.
 
@@ -39,6 +45,7 @@ def write_report(
         folder: exists and is writable.
         command: as typed, for the foot of the report.
         unread: what is wrong with recordings that could not be read.
+        margins: of `ftc-jsb margins`, for the flights that they are of.
 
     Returns:
         The contents of `metrics.json`.
@@ -46,7 +53,7 @@ def write_report(
     Raises:
         RecordingError: the folder cannot be written.
     """
-    findings = find(flights)
+    findings = find(flights, margins)
     series = flight_series(flights, findings)
     findings.document["samples_per_point"] = {label: s.every for label, s in series.items()}
     environment = jinja2.Environment(

@@ -1,15 +1,21 @@
 """The report of real flights: self-contained, complete, and in agreement with metrics.json."""
 
 import json
+import math
 import re
 from html.parser import HTMLParser
 from importlib import resources
 
 import pytest
 
+from ftc_jsb.errors import RecordingError
+from ftc_jsb.margins.condition import level_scenario
+from ftc_jsb.margins.document import document
+from ftc_jsb.margins.measure import CHANNELS, channel_margins
 from ftc_jsb.metrics import flight_metrics
 from ftc_jsb.report.charts import charts
 from ftc_jsb.report.findings import find
+from ftc_jsb.report.known_margins import read_margins
 from ftc_jsb.report.page import write_report
 from ftc_jsb.report.series import flight_series
 
@@ -152,18 +158,32 @@ def test_first_screen_answers_both_questions(written):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_margins_are_a_row_when_a_flight_has_them(written, monkeypatch, tmp_path):
+def test_margins_are_rows_of_the_flights_that_they_are_of(written, tmp_path):
+    """A measured margins.json of the paper's aircraft: the least of the three inputs, in its column only."""
     assert "Gain margin" not in written.page
-    flights = {"paper-ftc": written.flights["paper-ftc"]}
+    found = level_scenario("paper", "paper")
+    inputs = [channel_margins(found, channel, lambda line: None) for channel in CHANNELS]
+    path = tmp_path / "margins.json"
+    path.write_text(json.dumps(document(found, inputs)))
+    known = read_margins(path)
+    labels = ("paper-ftc", "paper-no-ftc")
+    flights = {label: written.flights[label] for label in labels}
+    metrics = write_report(flights, tmp_path, "ftc-jsb report", margins=[known])["flights"]
+    least = min(20.0 * math.log10(each.gain) for each in inputs)
+    assert metrics["paper-ftc"]["gain_margin_db"] == pytest.approx(least)
+    assert metrics["paper-ftc"]["delay_margin_s"] == min(each.delay for each in inputs)
+    assert "gain_margin_db" not in metrics["paper-no-ftc"]
+    assert "Gain margin, least input" in (tmp_path / "report.html").read_text()
 
-    def with_margin(flight):
-        return {**flight_metrics(flight), "gain_margin_db": 12.5}
 
-    monkeypatch.setattr("ftc_jsb.report.findings.flight_metrics", with_margin)
-    write_report(flights, tmp_path, "ftc-jsb report")
-    page = (tmp_path / "report.html").read_text()
-    assert "Gain margin" in page
-    assert ">12.5</data>" in page
+def test_file_that_holds_no_margins_is_refused(tmp_path):
+    path = tmp_path / "margins.json"
+    for text in ("{}", "[]", "no json"):
+        path.write_text(text)
+        with pytest.raises(RecordingError, match=r"expected a margins\.json"):
+            read_margins(path)
+    with pytest.raises(RecordingError, match="No such file"):
+        read_margins(tmp_path / "none.json")
 
 
 @pytest.mark.usefixtures("undrawn")
