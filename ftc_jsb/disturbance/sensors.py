@@ -33,7 +33,6 @@ from ftc_jsb.units import STANDARD_GRAVITY
 
 COUNT = len(SIGNALS)
 FIRST_STREAM = 16  # of random numbers: those before are the wind's
-AIRSPEED, ALTITUDE, ALPHA, SIDESLIP, ROLL, PITCH, YAW = range(7)
 
 SENSORS = np.dtype(
     [
