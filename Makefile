@@ -18,7 +18,7 @@ bench: $(READY)  ## Cost of steps, flights and commands, against the targets
 	$(BIN)/pytest -n 0 tests/benchmarks --benchmark-enable
 
 validate: $(READY)  ## Long flights and many flights; writes docs/validation.md
-	$(BIN)/python -m tests.validation
+	$(BIN)/python -m validation
 
 inner-loops: $(READY)  ## Fly and judge every inner loop's steps: table and figures of docs/aircraft.md
 	$(BIN)/ftc-jsb inner-loop f16 f15 F4N A4 T38 --report --out docs/images/inner-loop --force

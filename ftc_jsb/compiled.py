@@ -2,8 +2,8 @@
 
 Numba's own cache only notices a change in the file that defines a kernel, not in the kernels it
 calls, and it wants to write beside the source. Both are wrong for an installed program, so the
-cache lives in the user's cache folder, in a sub-folder named after the source of all that kernels
-are made from.
+cache lives in the user's cache folder, for each module in a sub-folder named after the source of all
+that its kernels can be made from.
 """
 
 import hashlib
@@ -16,42 +16,43 @@ from typing import Any, TypeVar, cast
 import numba
 import platformdirs
 
+from ftc_jsb.sources import source_digest
+
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
-_WITHOUT_KERNELS = {
-    "cli.py",
-    "convert",
-    "mavlink",
-    "metrics.py",
-    "report",
-    "resources.py",
-    "scenario",
-    "typed_file.py",
-}
-
-
 @cache
-def kernel_cache() -> Path:
-    """Folder of compiled kernels of this source; a temporary one if it cannot be written."""
-    package = Path(__file__).parent
-    digest = hashlib.sha256(numba.__version__.encode())
-    for source in sorted(package.rglob("*.py")):
-        if source.relative_to(package).parts[0] not in _WITHOUT_KERNELS:
-            digest.update(source.read_bytes())
-    name = digest.hexdigest()[:16]
-    folder = Path(platformdirs.user_cache_dir("ftc-jsb")) / "kernels" / name
+def kernel_cache(module: str) -> Path:
+    """Folder of the compiled kernels of a module; a temporary one if it cannot be written.
+
+    Its name follows from the source of all that the module imports: constants that a kernel takes
+    from elsewhere are compiled into it.
+    """
+    name = hashlib.sha256(f"{numba.__version__} {source_digest(module)}".encode()).hexdigest()[:16]
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        folder = _root() / name
+        folder.mkdir(exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):
             return folder
     except OSError:
-        return Path(tempfile.mkdtemp(prefix="ftc-jsb-kernels-"))
+        return _temporary()
 
 
-def is_first_run() -> bool:
-    """Whether no kernel of this source has been compiled on this machine yet."""
-    return not any(kernel_cache().iterdir())
+@cache
+def _root() -> Path:
+    folder = Path(platformdirs.user_cache_dir("ftc-jsb")) / "kernels"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+@cache
+def _temporary() -> Path:
+    return Path(tempfile.mkdtemp(prefix="ftc-jsb-kernels-"))
+
+
+def is_first_run(module: str) -> bool:
+    """Whether the kernels of a module, as its source is now, have not been compiled here yet."""
+    return not any(kernel_cache(module).iterdir())
 
 
 def compiled(function: Kernel) -> Kernel:
@@ -74,7 +75,7 @@ def inlined(function: Kernel) -> Kernel:
 def _cached(function: Kernel, **options: Any) -> Kernel:
     config: Any = numba.config
     previous = config.CACHE_DIR
-    config.CACHE_DIR = str(kernel_cache())
+    config.CACHE_DIR = str(kernel_cache(function.__module__))
     try:
         return cast(Kernel, numba.njit(cache=True, error_model="numpy", **options)(function))
     finally:

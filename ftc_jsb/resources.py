@@ -10,7 +10,7 @@ _PACKAGE = Path(__file__).parent
 
 def shipped(folder: str) -> Path:
     """Path of the shipped `aircraft` or `scenarios` folder."""
-    installed = _PACKAGE / folder
+    installed = _PACKAGE / "shipped" / folder
     return installed if installed.is_dir() else _PACKAGE.parent / folder
 
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 import pytest
 from hypothesis import settings
 
+from ftc_jsb.recording.flight import Flight
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.simulation.flight import Flight
 from ftc_jsb.simulation.fly import fly
 
 # Kernels compile at their first call, so no deadline; the same examples every time.

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from ftc_jsb.simulation.recording import load
+from ftc_jsb.recording.netcdf import load
 
 
 def run(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:

@@ -10,15 +10,16 @@ import numpy.typing as npt
 
 from ftc_jsb.bench.timing import in_turns, ratio
 from ftc_jsb.compiled import compiled, direct
-from ftc_jsb.control.loops import loop_settings
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.estimation.augmented import augmented_step
 from ftc_jsb.estimation.process import FILTER, Forcing, axes, propagate
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update
+from ftc_jsb.loops.built_in import loop_settings
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.simulation.fly import fly, point_mass_of
+from ftc_jsb.simulation.assembly import point_mass_of
+from ftc_jsb.simulation.fly import fly
 
 Array = npt.NDArray[np.float64]
 DT = 0.01  # [s]

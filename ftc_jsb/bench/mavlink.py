@@ -4,8 +4,8 @@ import socket
 import time
 from typing import NamedTuple
 
-from ftc_jsb.mavlink.endpoint import LOOPBACK, Endpoint
-from ftc_jsb.mavlink.link import Link
+from ftc_jsb.mavlink.link.endpoint import LOOPBACK, Endpoint
+from ftc_jsb.mavlink.link.link import Link
 from ftc_jsb.mavlink.live import live_flight
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly

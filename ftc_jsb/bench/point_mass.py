@@ -9,8 +9,9 @@ from ftc_jsb.bench.numpy_form import fly_in_numpy
 from ftc_jsb.bench.timing import in_turns, ratio
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.assembly import point_mass_of
 from ftc_jsb.simulation.batch import fly_batch
-from ftc_jsb.simulation.fly import fly, point_mass_of
+from ftc_jsb.simulation.fly import fly
 
 
 def _watch(record: object, i: int) -> None: ...

@@ -7,11 +7,12 @@ from statistics import median
 from typing import Any
 
 from ftc_jsb.bench.timing import in_turns
-from ftc_jsb.control.loops import build_loop
 from ftc_jsb.control.protocol import LoopSetup
+from ftc_jsb.loops.registry import build_loop
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Scenario
-from ftc_jsb.simulation.fly import blank_recording, fly, point_mass_of
+from ftc_jsb.simulation.assembly import blank_recording, point_mass_of
+from ftc_jsb.simulation.fly import fly
 from ftc_jsb.six_dof.plant import JsbsimPlant
 
 CHUNK = 50  # samples flown, then as many of the bare loop

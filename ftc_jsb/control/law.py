@@ -8,12 +8,7 @@ e = y - y_m, so that (17) and (20) as printed, + K e, would drive the error away
 import math
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.point_mass.drag import (
-    alpha_slope,
-    angle_of_attack,
-    drag_coefficient,
-    drag_slope,
-)
+from ftc_jsb.point_mass.drag import alpha_slope, angle_of_attack, drag_coefficient, drag_slope
 from ftc_jsb.point_mass.dynamics import aerodynamic_state, path_rates
 from ftc_jsb.point_mass.model import Condition
 

@@ -9,17 +9,12 @@ from typing import Any
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import control_law
-from ftc_jsb.control.loop_estimation import estimate, law_effectiveness, report, sensed
-from ftc_jsb.control.loop_records import NO_ESTIMATOR
+from ftc_jsb.control.observer import estimate, law_effectiveness, report, sensed
 from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.control.priority import affordable, give_up
+from ftc_jsb.control.records import NO_ESTIMATOR
 from ftc_jsb.estimation.process import CHANNELS, OUTPUTS
-from ftc_jsb.point_mass.dynamics import (
-    level_trim_thrust,
-    load_factor_limit,
-    polar_drag,
-    velocity,
-)
+from ftc_jsb.point_mass.dynamics import level_trim_thrust, load_factor_limit, polar_drag, velocity
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.thrust import healthy_thrust, rotor_speed_target
 

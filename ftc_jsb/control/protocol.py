@@ -3,8 +3,9 @@
 from collections.abc import Mapping
 from typing import NamedTuple, Protocol
 
-from ftc_jsb.point_mass.parameters import PointMass
-from ftc_jsb.scenario.schema import Loop, Sensors
+from ftc_jsb.aircraft.point_mass_file import PointMass
+from ftc_jsb.scenario.loop import Loop
+from ftc_jsb.scenario.sensors import Sensors
 
 
 class LoopSetup(NamedTuple):

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ftc_jsb.errors import RecordingError
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.recording.flight import Flight
 
 
 class Format(NamedTuple):

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from ftc_jsb.disturbance.faults import fault_steps
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.analysis.fault_steps import fault_steps
+from ftc_jsb.recording.flight import Flight
 
 RATE = 25.0  # Hz at most; TacView interpolates
 AIRCRAFT = "101"  # identity of the object, hexadecimal

@@ -2,12 +2,12 @@
 
 from pathlib import Path
 
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.recording.flight import Flight
 
 
 def write(flight: Flight, path: Path) -> None:
     """Write every variable, with digits enough to read the same numbers back."""
-    from ftc_jsb.simulation.recording import to_dataset
+    from ftc_jsb.recording.netcdf import to_dataset
 
     dataset = to_dataset(flight)
     table = dataset.to_dataframe().reset_index()

@@ -2,14 +2,14 @@
 
 from pathlib import Path
 
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.recording.flight import Flight
 
 
 def write(flight: Flight, path: Path) -> None:
     """Write `flight.airspeed`, `units.airspeed`, `meanings.airspeed`, …, and `attributes.scenario`."""
     from scipy.io import savemat
 
-    from ftc_jsb.simulation.recording import to_dataset
+    from ftc_jsb.recording.netcdf import to_dataset
 
     dataset = to_dataset(flight)
     names = [str(name) for name in dataset.variables]

@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.recording.flight import Flight
 
 
 def write(flight: Flight, path: Path) -> None:
     """Write the telemetry that `flight` would have sent."""
-    from ftc_jsb.mavlink.recorded import write_tlog
+    from ftc_jsb.mavlink.telemetry.recorded import write_tlog
 
     write_tlog(flight, path)

@@ -13,8 +13,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled, direct
-from ftc_jsb.disturbance.signals import SENSED
-from ftc_jsb.scenario.schema import CHANNELS, ENGINES, SURFACES, Fault, Scenario
+from ftc_jsb.scenario.faults import Fault
+from ftc_jsb.vocabulary.channels import CHANNELS, ENGINES, SURFACES
+from ftc_jsb.vocabulary.signals import SENSED
 
 TIME_TOLERANCE = 1e-9  # [s]: 0.1 x 3 counts as 0.3
 CAPACITY = 32  # faults of one flight, injected ones included
@@ -180,21 +181,3 @@ def schedule(
     width = len(columns)
     table = record.view(np.float64).reshape(-1, width)[first:, place : place + len(SCHEDULE)]
     direct(_scheduled, faults, times, engines, table)(faults, times, engines, table)
-
-
-def fault_steps(truth: npt.NDArray[np.float64], scenario: Scenario) -> npt.NDArray[np.int64]:
-    """Rows at which an effectiveness jumps: by more than the scenario's steepest ramp would.
-
-    Args:
-        truth: (rows,) of one channel.
-        scenario: that was flown.
-    """
-    row = scenario.simulation.record_every / scenario.loop.rate  # [s], at most
-    ramps = [
-        (1.0 - fault.effectiveness) / fault.rise * row
-        for fault in scenario.fault
-        if fault.effectiveness is not None and fault.rise is not None
-    ]
-    steepest = 1.001 * max(ramps, default=0.0) + TIME_TOLERANCE
-    known = np.nan_to_num(truth, nan=-1.0)  # where it is not known counts as another value
-    return (np.flatnonzero(np.abs(np.diff(known)) > steepest) + 1).astype(np.int64)

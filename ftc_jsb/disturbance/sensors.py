@@ -26,10 +26,11 @@ from ftc_jsb.disturbance.faults import (
 )
 from ftc_jsb.disturbance.noise import normal
 from ftc_jsb.disturbance.sensor_profiles import PROFILES, Errors
-from ftc_jsb.disturbance.signals import SIGNALS
 from ftc_jsb.frames import path_from_attitude
-from ftc_jsb.scenario.schema import Scenario, Sensor, Sensors
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.scenario.sensors import Sensor, Sensors
 from ftc_jsb.units import STANDARD_GRAVITY
+from ftc_jsb.vocabulary.signals import SIGNALS
 
 COUNT = len(SIGNALS)
 FIRST_STREAM = 16  # of random numbers: those before are the wind's

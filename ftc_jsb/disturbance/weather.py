@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.disturbance.wind import WIND
-from ftc_jsb.scenario.schema import Wind
+from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.units import FOOT
 
 # MIL-F-8785C fig. 7: rms gust [ft/s] at altitudes [ft], for a probability of exceedance of 1e-2

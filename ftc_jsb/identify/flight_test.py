@@ -6,15 +6,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.errors import TrimError
 from ftc_jsb.identify.manoeuvres import Manoeuvre
-from ftc_jsb.scenario.schema import ENGINES, AircraftChoice, Initial
-from ftc_jsb.simulation.monitor import FLYING, departed
-from ftc_jsb.simulation.variables import ROW
-from ftc_jsb.six_dof.aircraft import Aircraft
+from ftc_jsb.recording.columns import ROW
+from ftc_jsb.scenario.schema import AircraftChoice, Initial
+from ftc_jsb.simulation.departure import FLYING, departed
 from ftc_jsb.six_dof.plant import JsbsimPlant
 from ftc_jsb.units import POUND_FORCE, STANDARD_GRAVITY
+from ftc_jsb.vocabulary.channels import ENGINES
 
 DT = 0.01  # [s]
 STEPS = 2  # JSBSim frames a sample

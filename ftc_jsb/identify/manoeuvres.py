@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ftc_jsb.six_dof.aircraft import FlightTest
+from ftc_jsb.aircraft.description import FlightTest
 
 # Commands at a time [s]: thrust fraction (0 idle, 1 maximum), load factor, flight path angle to
 # hold [rad] or nan, bank angle [rad]. With a path to hold, load factor is what holds it.

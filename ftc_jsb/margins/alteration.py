@@ -5,8 +5,8 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.scenario.schema import Channel
 from ftc_jsb.simulation.plant import Plant
+from ftc_jsb.vocabulary.channels import Channel
 
 Array = npt.NDArray[np.float64]
 

@@ -7,7 +7,8 @@ from pydantic import ValidationError
 from ftc_jsb.errors import ScenarioError, UserError
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.scenario.load import load_scenario, scenario_names
-from ftc_jsb.scenario.schema import AircraftChoice, Initial, Model, Reference, Scenario
+from ftc_jsb.scenario.reference import Reference
+from ftc_jsb.scenario.schema import AircraftChoice, Initial, Model, Scenario
 from ftc_jsb.typed_file import first_problem
 
 
@@ -53,8 +54,8 @@ def level_scenario(
 
 
 def _of_aircraft(name: str) -> Scenario:
-    from ftc_jsb.six_dof.aircraft import load_aircraft
-    from ftc_jsb.six_dof.condition import level_flight
+    from ftc_jsb.aircraft.description import load_aircraft
+    from ftc_jsb.aircraft.level_flight import level_flight
 
     try:
         aircraft_folder(name)

@@ -16,8 +16,8 @@ from ftc_jsb.margins.measure import (
     SETTLE,
     ChannelMargins,
 )
+from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.schema import Scenario
-from ftc_jsb.simulation.recording import versions
 
 UNITS = {"thrust": "n", "load_factor": "1", "bank_angle": "rad"}
 

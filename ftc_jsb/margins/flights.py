@@ -6,8 +6,10 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.margins.alteration import Alteration, AlteredPlant
-from ftc_jsb.scenario.schema import Channel, Scenario
-from ftc_jsb.simulation.fly import build_plant, fly, point_mass_of
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.assembly import build_plant, point_mass_of
+from ftc_jsb.simulation.fly import fly
+from ftc_jsb.vocabulary.channels import Channel
 
 Array = npt.NDArray[np.float64]
 

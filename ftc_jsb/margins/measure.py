@@ -11,7 +11,8 @@ from ftc_jsb.margins.brink import breaks, first_brink
 from ftc_jsb.margins.classical import ClassicalMargins, classical_margins
 from ftc_jsb.margins.flights import altered_flight
 from ftc_jsb.margins.multisine import Response, harmonics, loop_response, multisine
-from ftc_jsb.scenario.schema import Channel, Scenario
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.vocabulary.channels import Channel
 
 CHANNELS: tuple[Channel, ...] = ("thrust", "load_factor", "bank_angle")
 # RMS of the injection and size of the step: so small that no limit and no rate limit is met

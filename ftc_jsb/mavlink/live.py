@@ -7,13 +7,14 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ftc_jsb.errors import LinkError
-from ftc_jsb.mavlink.link import Link, Tally
-from ftc_jsb.mavlink.recorded import write_tlog
-from ftc_jsb.mavlink.tlog import TelemetryLog
+from ftc_jsb.mavlink.link.link import Link, Tally
+from ftc_jsb.mavlink.link.telemetry_log import TelemetryLog
+from ftc_jsb.mavlink.telemetry.recorded import write_tlog
 from ftc_jsb.mavlink.vehicle import Vehicle
+from ftc_jsb.recording.commands import End, Reset
+from ftc_jsb.recording.flight import Flight
 from ftc_jsb.scenario.schema import Scenario
-from ftc_jsb.simulation.commands import CommandQueue, CommandSource, End, Reset
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.simulation.command_source import CommandQueue, CommandSource
 from ftc_jsb.simulation.fly import Observer
 from ftc_jsb.simulation.pacing import Pacer, PacingError
 

@@ -15,19 +15,20 @@ from typing import Any
 import numpy.typing as npt
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.conversation import Conversation
-from ftc_jsb.mavlink.encoder import Encoder
-from ftc_jsb.mavlink.events import LONGEST, Watch
-from ftc_jsb.mavlink.link import Link, Tally
-from ftc_jsb.mavlink.parameters import Parameters
-from ftc_jsb.mavlink.receiver import Receiver
-from ftc_jsb.mavlink.snapshot import Counters, Observatory, Phase, Snapshot
-from ftc_jsb.mavlink.streams import Timetable, contents
-from ftc_jsb.mavlink.tlog import TelemetryLog
-from ftc_jsb.mavlink.transport import Transport, transport
+from ftc_jsb.mavlink.commands.dispatch import Conversation
+from ftc_jsb.mavlink.commands.parameters import Parameters
+from ftc_jsb.mavlink.link.encoder import Encoder
+from ftc_jsb.mavlink.link.link import Link, Tally
+from ftc_jsb.mavlink.link.receiver import Receiver
+from ftc_jsb.mavlink.link.telemetry_log import TelemetryLog
+from ftc_jsb.mavlink.link.transport import Transport, transport
+from ftc_jsb.mavlink.telemetry.snapshot import Counters, Observatory, Phase, Snapshot
+from ftc_jsb.mavlink.telemetry.status_texts import LONGEST, Watch
+from ftc_jsb.mavlink.telemetry.streams import Timetable, contents
+from ftc_jsb.recording.commands import Command
+from ftc_jsb.recording.flight import Flight
 from ftc_jsb.scenario.schema import Scenario
-from ftc_jsb.simulation.commands import Command, CommandQueue
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.simulation.command_source import CommandQueue
 from ftc_jsb.simulation.pacing import Pacer
 
 LISTEN = 0.002  # [s] that the thread listens at a time ...

@@ -2,13 +2,13 @@
 
 from typing import Any, NamedTuple
 
-from ftc_jsb.estimation.health import ACCELERATION, MEASURED, NIS_BOUND, SIGMAS
-from ftc_jsb.report.residuals import Residuals
-from ftc_jsb.report.response import AXES
-from ftc_jsb.report.series import Series
-from ftc_jsb.report.validity import MOTION
-from ftc_jsb.report.words import CHANNEL_TITLES
-from ftc_jsb.scenario.schema import CHANNELS
+from ftc_jsb.analysis.command_following import AXES
+from ftc_jsb.analysis.filter_health import ACCELERATION, MEASURED, NIS_BOUND, SIGMAS
+from ftc_jsb.analysis.residuals import Residuals
+from ftc_jsb.analysis.validity import MOTION
+from ftc_jsb.report.chart_series import Series
+from ftc_jsb.report.display_names import CHANNEL_TITLES
+from ftc_jsb.vocabulary.channels import CHANNELS
 
 ONCE = "reference"  # drawn once for a scenario, in ink
 LINE = "line"  # in the flight's colour and dash

@@ -5,18 +5,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ftc_jsb.analysis.command_following import response_metrics
+from ftc_jsb.analysis.metrics import Metrics, flight_metrics, passed
+from ftc_jsb.analysis.residuals import Residuals, flight_residuals, residual_metrics
+from ftc_jsb.analysis.stability import flight_theory, stability_metrics
+from ftc_jsb.analysis.validity import compare_flights, judge
 from ftc_jsb.errors import UserError
-from ftc_jsb.metrics import Metrics, flight_metrics, passed
-from ftc_jsb.report.groups import by_scenario, loop_pairs, model_pairs
-from ftc_jsb.report.known_margins import KnownMargins, margins_of
-from ftc_jsb.report.numbers import NUMBERS
-from ftc_jsb.report.residuals import Residuals, flight_residuals, residual_metrics
-from ftc_jsb.report.response import response_metrics
-from ftc_jsb.report.stability import flight_theory, stability_metrics
-from ftc_jsb.report.validity import compare_flights, judge
-from ftc_jsb.report.words import model_title
-from ftc_jsb.simulation.flight import Flight
-from ftc_jsb.theory.stability import Stability
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.display_names import model_title
+from ftc_jsb.report.flight_groups import by_scenario, loop_pairs, model_pairs
+from ftc_jsb.report.margins_files import KnownMargins, margins_of
+from ftc_jsb.report.metric_formats import NUMBERS
+from ftc_jsb.theory.lyapunov import Stability
 
 Flights = Mapping[str, Flight]
 

@@ -9,23 +9,24 @@ from typing import Any
 import jinja2
 import markupsafe
 
+from ftc_jsb.analysis.validity import ACCEPTED
 from ftc_jsb.errors import RecordingError
-from ftc_jsb.report import tables, words
+from ftc_jsb.recording.provenance import machine, versions
+from ftc_jsb.report import display_names as words
+from ftc_jsb.report import section_tables as tables
+from ftc_jsb.report.chart_series import Series, flight_series
 from ftc_jsb.report.charts import as_data, charts
+from ftc_jsb.report.comparison_table import result_table
+from ftc_jsb.report.fault_marks import fault_times
 from ftc_jsb.report.figures.draw import draw_all
 from ftc_jsb.report.figures.style import FORMATS
 from ftc_jsb.report.findings import Findings, Flights, find
-from ftc_jsb.report.groups import by_scenario, plain, scenario_differences
-from ftc_jsb.report.known_margins import KnownMargins
-from ftc_jsb.report.marks import fault_times
-from ftc_jsb.report.quote import Quote, quote
-from ftc_jsb.report.result_table import result_table
-from ftc_jsb.report.series import Series, flight_series
+from ftc_jsb.report.flight_groups import by_scenario, plain, scenario_differences
+from ftc_jsb.report.margins_files import KnownMargins
+from ftc_jsb.report.quoted_numbers import Quote, quote
 from ftc_jsb.report.summary import first_screen
-from ftc_jsb.report.validity import ACCEPTED
+from ftc_jsb.runs.flights import write_metrics
 from ftc_jsb.scenario.load import scenario_toml
-from ftc_jsb.simulation.recording import machine, versions
-from ftc_jsb.simulation.session import write_metrics
 
 DASHES = ("solid", "dash", "dot", "dashdot", "longdash")
 COLOURS = 6  # that the page's style sheet has

@@ -5,19 +5,19 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from ftc_jsb.metrics import passed
-from ftc_jsb.report.groups import by_scenario
-from ftc_jsb.report.marks import fault_times
-from ftc_jsb.report.quote import quote
-from ftc_jsb.report.validity import ACCEPTED
-from ftc_jsb.report.words import (
+from ftc_jsb.analysis.metrics import passed
+from ftc_jsb.analysis.validity import ACCEPTED
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.display_names import (
     air_and_sensors,
     fault_sentences,
     limit_title,
     loop_title,
     model_title,
 )
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.report.fault_marks import fault_times
+from ftc_jsb.report.flight_groups import by_scenario
+from ftc_jsb.report.quoted_numbers import quote
 
 Flights = Mapping[str, Flight]
 Document = dict[str, Any]

@@ -1,9 +1,44 @@
-"""The raw commands of a scenario, (44) for the paper's, sampled over the flight."""
+"""[reference] of a scenario: breakpoints of the raw commands, (44) for the paper's, sampled over a flight."""
+
+from typing import Annotated, Self
 
 import numpy as np
 import numpy.typing as npt
+from pydantic import Field, model_validator
 
-from ftc_jsb.scenario.schema import Reference
+from ftc_jsb.scenario.types import Point
+from ftc_jsb.typed_file import Section
+
+_Breakpoints = Annotated[tuple[Point, ...], Field(min_length=1, max_length=10000)]
+
+
+class Reference(Section):
+    """[reference]: breakpoints [time s, value], linear between and held outside; command filter."""
+
+    filter_frequency: float = Field(3.0, ge=0.05, le=50.0)  # rad/s
+    filter_damping: float = Field(1.0, ge=0.1, le=5.0)
+    airspeed: _Breakpoints  # m/s
+    flight_path_deg: _Breakpoints
+    heading_deg: _Breakpoints
+
+    @model_validator(mode="after")
+    def _in_range(self) -> Self:
+        bounds = {
+            "airspeed": (50.0, 600.0),
+            "flight_path_deg": (-60.0, 60.0),
+            "heading_deg": (-36000.0, 36000.0),
+        }
+        for name, (low, high) in bounds.items():
+            points: tuple[Point, ...] = getattr(self, name)
+            times = [time for time, _ in points]
+            if times != sorted(set(times)):
+                raise ValueError(f"reference.{name}: times must increase from point to point")
+            for time, value in points:
+                if not low <= value <= high:
+                    raise ValueError(
+                        f"reference.{name}: {value} at {time} s is outside [{low:g}, {high:g}]"
+                    )
+        return self
 
 
 def raw_commands(reference: Reference, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:

@@ -13,14 +13,15 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.loops import CompiledLoop
 from ftc_jsb.disturbance.faults import SCHEDULE, present
 from ftc_jsb.errors import ScenarioError
-from ftc_jsb.point_mass.plant import PointMassPlant
+from ftc_jsb.loops.built_in import CompiledLoop
+from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.schema import Scenario
-from ftc_jsb.simulation.fly import blank_recording, parts, point_mass_of, refuse_unflyable
-from ftc_jsb.simulation.fused import point_mass_flight
-from ftc_jsb.simulation.variables import ROW
+from ftc_jsb.simulation.admissible_faults import refuse_unflyable
+from ftc_jsb.simulation.assembly import blank_recording, parts, point_mass_of
+from ftc_jsb.simulation.point_mass_plant import PointMassPlant
+from ftc_jsb.simulation.sample import point_mass_flight
 
 FIRST_SCHEDULED = list(ROW.names or ()).index(SCHEDULE[0])
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.simulation.commands import CommandQueue
+from ftc_jsb.simulation.command_source import CommandQueue
 
 GIVE_UP = 1.0  # [s] late: a suspended computer; deadlines start anew instead of a race after them
 

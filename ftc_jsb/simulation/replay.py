@@ -6,11 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ftc_jsb.simulation.commands import Applied, End, RecordedCommands, Reset
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.recording.columns import ROW
+from ftc_jsb.recording.commands import Applied, End, Reset
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.recording.provenance import aircraft_digest, versions
+from ftc_jsb.simulation.command_source import RecordedCommands
 from ftc_jsb.simulation.fly import Observer, fly
-from ftc_jsb.simulation.recording import aircraft_digest, versions
-from ftc_jsb.simulation.variables import ROW
 
 
 class Difference(NamedTuple):

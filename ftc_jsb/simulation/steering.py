@@ -7,19 +7,13 @@ from typing import Any
 import numpy.typing as npt
 from pydantic import ValidationError
 
-from ftc_jsb.control.loops import BUILT_IN, CompiledLoop, RecordedLoop, loop_settings
 from ftc_jsb.control.protocol import LoopSetup
-from ftc_jsb.disturbance.faults import (
-    CAPACITY,
-    FIRST_SENSOR,
-    TARGETS,
-    fault_records,
-    schedule,
-)
+from ftc_jsb.disturbance.faults import CAPACITY, FIRST_SENSOR, TARGETS, fault_records, schedule
 from ftc_jsb.disturbance.sensors import Senses
 from ftc_jsb.errors import ScenarioError
-from ftc_jsb.scenario.schema import Loop, Scenario
-from ftc_jsb.simulation.commands import (
+from ftc_jsb.loops.built_in import BUILT_IN, CompiledLoop, loop_settings
+from ftc_jsb.loops.registry import RecordedLoop
+from ftc_jsb.recording.commands import (
     Applied,
     Command,
     End,
@@ -31,7 +25,9 @@ from ftc_jsb.simulation.commands import (
     SetHeading,
     SetLoop,
 )
-from ftc_jsb.simulation.possible import impossible
+from ftc_jsb.scenario.loop import Loop
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.admissible_faults import impossible
 from ftc_jsb.simulation.set_points import climb, nearest_turn, ramp
 from ftc_jsb.typed_file import first_problem
 

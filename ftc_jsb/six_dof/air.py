@@ -6,7 +6,7 @@ from typing import Any
 import numpy.typing as npt
 
 from ftc_jsb.disturbance.weather import SEVERITY
-from ftc_jsb.scenario.schema import Wind
+from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.units import FOOT
 

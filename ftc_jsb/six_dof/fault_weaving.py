@@ -8,10 +8,10 @@ pass on what they are given.
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 
+from ftc_jsb.aircraft.description import Aircraft, Surface
 from ftc_jsb.disturbance.faults import ENGINE_OUT, HEALTHY, HELD, OVER_POSITIVE
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.scenario.schema import SURFACES
-from ftc_jsb.six_dof.aircraft import Aircraft, Surface
+from ftc_jsb.vocabulary.channels import SURFACES
 
 HARD_OVER_TIME = 0.5  # [s] from one end of the travel to the other
 THROTTLE_STATE = "ftc/fault/throttle-state"  # one an engine

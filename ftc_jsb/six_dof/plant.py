@@ -10,22 +10,18 @@ from typing import Any, cast
 import numpy as np
 import numpy.typing as npt
 
+from ftc_jsb.aircraft.description import Aircraft, load_aircraft
 from ftc_jsb.compiled import direct
 from ftc_jsb.disturbance.weather import wind_record
 from ftc_jsb.disturbance.wind import wind_step
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.scenario.schema import AircraftChoice, Initial, Wind
-from ftc_jsb.simulation.variables import numbers
+from ftc_jsb.recording.columns import numbers
+from ftc_jsb.scenario.schema import AircraftChoice, Initial
+from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.six_dof.air import set_turbulence, start_in_wind
-from ftc_jsb.six_dof.aircraft import Aircraft, load_aircraft
 from ftc_jsb.six_dof.fault_weaving import observed
 from ftc_jsb.six_dof.fault_writers import FaultWriters
-from ftc_jsb.six_dof.observation import (
-    JSBSIM_STATE,
-    POSITION_NAMES,
-    PROPERTIES,
-    observe,
-)
+from ftc_jsb.six_dof.observation import JSBSIM_STATE, POSITION_NAMES, PROPERTIES, observe
 from ftc_jsb.six_dof.properties import engine_count, readers, writer
 from ftc_jsb.six_dof.trim import trimmed
 from ftc_jsb.six_dof.weaving import woven_aircraft

@@ -4,9 +4,9 @@ import math
 from pathlib import Path
 from typing import Any
 
+from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.errors import AircraftError, TrimError
 from ftc_jsb.scenario.schema import Initial
-from ftc_jsb.six_dof.aircraft import Aircraft
 from ftc_jsb.six_dof.properties import engine_count, node, write_checked
 from ftc_jsb.units import FOOT
 

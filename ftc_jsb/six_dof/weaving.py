@@ -13,8 +13,8 @@ from pathlib import Path
 
 import platformdirs
 
+from ftc_jsb.aircraft.description import Aircraft, Correction, Edit
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.six_dof.aircraft import Aircraft, Correction, Edit
 from ftc_jsb.six_dof.engine_deck import (
     apply_effectiveness,
     deck_system,
@@ -23,14 +23,16 @@ from ftc_jsb.six_dof.engine_deck import (
     thrust_tables,
 )
 from ftc_jsb.six_dof.fault_weaving import weave_faults
+from ftc_jsb.sources import source_digest
 
 # Woven in this order before the aircraft's own systems, so that each reads the frame's own values.
 NUMBERS_SYSTEM = "ftc_numbers"  # of the aircraft: aircraft/NAME/inner_loop.xml
 DECK_SYSTEM = "ftc_engine_deck"
 INNER_LOOP_SYSTEM = "ftc_inner_loop"
 THROTTLE_SYSTEM = "ftc_throttles"
-SOURCES = ("weaving.py", "engine_deck.py", "fault_weaving.py", "inner_loop.xml")
-INNER_LOOP = Path(__file__).with_name("inner_loop.xml")  # the structure, for every aircraft
+INNER_LOOP = Path(__file__).with_name(
+    "inner_loop_structure.xml"
+)  # the structure, for every aircraft
 
 
 def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
@@ -57,8 +59,8 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
         if not path.is_file():
             raise AircraftError(f"aircraft {aircraft.name!r}: {path} not found")
     digest = hashlib.sha256(jsbsim.__version__.encode())
-    own = [Path(__file__).with_name(name) for name in SOURCES]
-    for path in (*own, model_file, numbers):
+    digest.update(source_digest(__name__).encode())
+    for path in (INNER_LOOP, model_file, numbers):
         digest.update(path.read_bytes())
     digest.update(f"{aircraft.model_dump_json()}{corrected}".encode())
     cache = Path(platformdirs.user_cache_dir("ftc-jsb")) / "aircraft"

@@ -8,11 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled_in_memory
-from ftc_jsb.control.nonaffine import SOLVED, make_law, trim_step
 from ftc_jsb.errors import TheoryError
-from ftc_jsb.estimation.general import make_filter, make_propagate
 from ftc_jsb.theory.gains import Gains
 from ftc_jsb.theory.generated import Kernels, generate
+from ftc_jsb.theory.joint_filter import make_filter, make_propagate
+from ftc_jsb.theory.law import SOLVED, make_law, trim_step
 from ftc_jsb.theory.linearization import Linearization
 
 Array = npt.NDArray[np.float64]

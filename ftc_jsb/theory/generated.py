@@ -33,7 +33,7 @@ def generate(linearization: Linearization) -> Kernels:
     """Write, import and compile the kernels of a system; the source lives in the kernel cache."""
     source = _source(linearization)
     name = f"{linearization.system.name}_{hashlib.sha256(source.encode()).hexdigest()[:12]}"
-    folder = kernel_cache() / "generated"
+    folder = kernel_cache(__name__) / "generated"
     folder.mkdir(exist_ok=True)
     path = folder / f"{name}.py"
     if not path.is_file():

@@ -8,11 +8,12 @@ import pytest
 
 from ftc_jsb.bench.numpy_form import fly_in_numpy
 from ftc_jsb.bench.point_mass import dispersed
-from ftc_jsb.bench.report import FIGURES, lines, measure_mavlink_share, verdict
 from ftc_jsb.bench.six_dof import BareLoop, six_dof_scenario
+from ftc_jsb.bench.summary import FIGURES, lines, measure_mavlink_share, verdict
 from ftc_jsb.scenario.load import load_scenario
+from ftc_jsb.simulation.assembly import point_mass_of
 from ftc_jsb.simulation.batch import fly_batch
-from ftc_jsb.simulation.fly import fly, point_mass_of
+from ftc_jsb.simulation.fly import fly
 
 
 def test_a_minute_of_point_mass_flight(benchmark):

@@ -7,7 +7,7 @@ from scipy.signal import lsim
 
 from ftc_jsb.control.command_filter import _exponential, command_filter, reference_step
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.simulation.fly import blank_recording
+from ftc_jsb.simulation.assembly import blank_recording
 
 
 def filtered(scenario):

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.signal import cont2discrete
 
-from ftc_jsb.control.loops import loop_names
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.errors import LoopError
-from ftc_jsb.metrics import flight_metrics
+from ftc_jsb.loops.registry import loop_names
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
 

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.priority import DESCENT, affordable, payable_climb
-from ftc_jsb.metrics import flight_metrics
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import at_condition
 from tests.point_mass.models import PAPER

@@ -5,12 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from ftc_jsb.control.tuning import covariances
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.disturbance.sensor_profiles import PROFILES, Errors
-from ftc_jsb.disturbance.signals import SENSED
-from ftc_jsb.metrics import flight_metrics
+from ftc_jsb.loops.tuning import covariances
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
+from ftc_jsb.vocabulary.signals import SENSED
 
 DISTURBED = ("sensors.profile=tactical", "wind.turbulence=moderate", "loop.name=robust")
 

@@ -12,8 +12,8 @@ from pyarrow import parquet
 from scipy.io import loadmat
 
 from ftc_jsb.convert import FORMATS, convert
-from ftc_jsb.simulation.recording import save
-from ftc_jsb.simulation.variables import VARIABLES
+from ftc_jsb.recording.columns import VARIABLES
+from ftc_jsb.recording.netcdf import save
 
 
 @pytest.fixture(scope="module")

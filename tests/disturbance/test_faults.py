@@ -4,10 +4,12 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ftc_jsb.disturbance.faults import fault_records, fault_steps, schedule
+from ftc_jsb.analysis.fault_steps import fault_steps
+from ftc_jsb.disturbance.faults import fault_records, schedule
+from ftc_jsb.recording.columns import ROW
+from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.scenario.schema import Fault, Scenario
-from ftc_jsb.simulation.variables import ROW
+from ftc_jsb.scenario.schema import Scenario
 
 TIME = np.arange(6001) / 100.0
 

@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.disturbance.noise import normal, uniform
-from ftc_jsb.disturbance.signals import SIGNALS
-from ftc_jsb.metrics import flight_metrics
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
+from ftc_jsb.vocabulary.signals import SIGNALS
 
 MODEL = "model=identified"
 

@@ -8,10 +8,10 @@ from scipy.signal import welch
 
 from ftc_jsb.disturbance.weather import intensity, scale_length, wind_record
 from ftc_jsb.disturbance.wind import wind_step
+from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.scenario.schema import Wind
+from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.simulation.variables import ROW
 
 
 def flown(model: str, *overrides: str) -> Any:

@@ -8,11 +8,11 @@ from filterpy.kalman import JulierSigmaPoints, UnscentedKalmanFilter
 from scipy.linalg import block_diag
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.loops import loop_settings
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.estimation.process import FILTER, Forcing, axes, propagate
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update
+from ftc_jsb.loops.built_in import loop_settings
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.scenario.load import load_scenario
 from tests.point_mass.models import AIRCRAFT, PAPER

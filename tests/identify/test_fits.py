@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from ftc_jsb.aircraft.description import load_aircraft
+from ftc_jsb.aircraft.point_mass_file import load_point_mass
 from ftc_jsb.identify.aerodynamics import (
     Sample,
     fit_alpha,
@@ -16,9 +18,7 @@ from ftc_jsb.identify.regression import hats, rough, solve
 from ftc_jsb.identify.response import fit_lag, second_order
 from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
-from ftc_jsb.point_mass.parameters import load_point_mass
-from ftc_jsb.simulation.variables import ROW
-from ftc_jsb.six_dof.aircraft import load_aircraft
+from ftc_jsb.recording.columns import ROW
 from tests.point_mass.models import polar_and_alpha
 
 F16 = load_aircraft("f16")

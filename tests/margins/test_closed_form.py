@@ -12,16 +12,12 @@ from scipy.signal import cont2discrete
 from ftc_jsb.control.law import airspeed_row
 from ftc_jsb.margins.classical import classical_margins
 from ftc_jsb.margins.condition import level_scenario
-from ftc_jsb.margins.measure import (
-    AMPLITUDE,
-    delay_margin,
-    frequency_response,
-    gain_margin,
-)
+from ftc_jsb.margins.measure import AMPLITUDE, delay_margin, frequency_response, gain_margin
 from ftc_jsb.margins.multisine import Response
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.scenario.schema import Scenario
-from ftc_jsb.simulation.fly import fly, point_mass_of
+from ftc_jsb.simulation.assembly import point_mass_of
+from ftc_jsb.simulation.fly import fly
 
 DT = 0.01  # [s]
 NO_INTEGRAL = {"name": "integral", "integral_gains": (0.0, 0.0, 0.0)}

@@ -8,12 +8,12 @@ from pathlib import Path
 
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.encoder import signing_time
-from ftc_jsb.mavlink.endpoint import Endpoint
-from ftc_jsb.mavlink.link import Link
+from ftc_jsb.mavlink.link.encoder import signing_time
+from ftc_jsb.mavlink.link.endpoint import Endpoint
+from ftc_jsb.mavlink.link.link import Link
 from ftc_jsb.mavlink.live import live_flight
+from ftc_jsb.recording.commands import End
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.simulation.commands import End
 from ftc_jsb.simulation.fly import fly
 
 HOST = "127.0.0.1"

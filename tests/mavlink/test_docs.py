@@ -5,10 +5,10 @@ from pathlib import Path
 
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink import parameters
-from ftc_jsb.mavlink.command_protocol import CommandProtocol
-from ftc_jsb.mavlink.story import STORY
-from ftc_jsb.mavlink.streams import STREAMS
+from ftc_jsb.mavlink.commands import parameters
+from ftc_jsb.mavlink.commands.command_protocol import CommandProtocol
+from ftc_jsb.mavlink.telemetry.outer_loop import STORY
+from ftc_jsb.mavlink.telemetry.streams import STREAMS
 from ftc_jsb.scenario.load import load_scenario
 
 TEXT = (Path(__file__).parents[2] / "docs" / "mavlink.md").read_text()

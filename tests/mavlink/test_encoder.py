@@ -8,12 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.encoder import Encoder
-from ftc_jsb.mavlink.geodesy import latitude_longitude
-from ftc_jsb.mavlink.snapshot import Counters, Observatory, Phase
-from ftc_jsb.mavlink.streams import STREAMS, contents
+from ftc_jsb.mavlink.link.encoder import Encoder
+from ftc_jsb.mavlink.telemetry.geodesy import latitude_longitude
+from ftc_jsb.mavlink.telemetry.snapshot import Counters, Observatory, Phase
+from ftc_jsb.mavlink.telemetry.streams import STREAMS, contents
+from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.simulation.variables import ROW
 
 OBSERVATORY = Observatory(load_scenario("paper"))
 

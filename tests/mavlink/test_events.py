@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ftc_jsb.mavlink.events import LONGEST, Watch
+from ftc_jsb.mavlink.telemetry.status_texts import LONGEST, Watch
 
 
 def told(flight, step=1000000):

@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.failures import failure
+from ftc_jsb.mavlink.commands.failures import failure
+from ftc_jsb.recording.commands import Applied
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.simulation.commands import Applied, RecordedCommands
-from ftc_jsb.simulation.fly import fly, point_mass_of
+from ftc_jsb.simulation.assembly import point_mass_of
+from ftc_jsb.simulation.command_source import RecordedCommands
+from ftc_jsb.simulation.fly import fly
 from ftc_jsb.simulation.replay import differences, replay
 from tests.mavlink.ground import Ground, aloft
 

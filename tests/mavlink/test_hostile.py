@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common as dialect
 
+from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.simulation.variables import ROW
 from tests.mavlink.ground import Ground, aloft
 
 PIECES = int(os.environ.get("FTC_JSB_HOSTILE", "6000"))

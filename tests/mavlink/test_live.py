@@ -7,7 +7,7 @@ import time
 import pytest
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.simulation.recording import load
+from ftc_jsb.recording.netcdf import load
 from tests.mavlink.ground import HOST, Ground, free_port
 from tests.mavlink.programs import BIN
 

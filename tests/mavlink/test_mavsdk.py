@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from ftc_jsb.simulation.recording import load
+from ftc_jsb.recording.netcdf import load
 from ftc_jsb.simulation.replay import differences, replay
 from tests.mavlink.ground import free_port
 from tests.mavlink.programs import vehicle

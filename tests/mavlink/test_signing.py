@@ -6,9 +6,9 @@ import pytest
 from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.errors import LinkError
-from ftc_jsb.mavlink.encoder import signing_time
-from ftc_jsb.mavlink.receiver import Receiver
-from ftc_jsb.mavlink.signing import load_key
+from ftc_jsb.mavlink.link.encoder import signing_time
+from ftc_jsb.mavlink.link.receiver import Receiver
+from ftc_jsb.mavlink.link.signing import load_key
 from tests.mavlink.ground import Ground, aloft
 
 KEY, OTHER = hashlib.sha256(b"correct horse").digest(), hashlib.sha256(b"another").digest()

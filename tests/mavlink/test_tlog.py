@@ -8,7 +8,7 @@ import pytest
 
 from ftc_jsb.convert import convert
 from ftc_jsb.errors import RecordingError
-from ftc_jsb.simulation.recording import load
+from ftc_jsb.recording.netcdf import load
 from tests.mavlink.ground import free_port
 from tests.mavlink.programs import BIN, dumped
 

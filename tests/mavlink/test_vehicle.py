@@ -9,12 +9,12 @@ import pytest
 from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.errors import LinkError
-from ftc_jsb.mavlink.endpoint import Endpoint, opened, parse_endpoint
-from ftc_jsb.mavlink.streams import STREAMS, Timetable
+from ftc_jsb.mavlink.link.endpoint import Endpoint, opened, parse_endpoint
+from ftc_jsb.mavlink.telemetry.streams import STREAMS, Timetable
+from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.simulation.replay import differences, replay
-from ftc_jsb.simulation.variables import ROW
 from tests.mavlink.ground import HOST, Ground, aloft, free_port
 
 ACCEPTED, REJECTED, DENIED, UNSUPPORTED = 0, 1, 2, 3
@@ -286,7 +286,7 @@ def test_endpoints_are_read_and_bad_ones_refused():
 
 
 def test_silent_udp_peer_is_no_longer_sent_to(monkeypatch):
-    monkeypatch.setattr("ftc_jsb.mavlink.transport.SILENCE", 0.5)
+    monkeypatch.setattr("ftc_jsb.mavlink.link.link.transport.SILENCE", 0.5)
     with aloft() as up:
         ground = Ground(up.port)
         ground.wait_for("ATTITUDE")

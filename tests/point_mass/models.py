@@ -3,12 +3,12 @@
 import math
 from typing import Any
 
+from ftc_jsb.aircraft.point_mass_file import load_point_mass
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import airspeed_row, control_law
 from ftc_jsb.point_mass.drag import angle_of_attack, drag_coefficient, drag_slope
 from ftc_jsb.point_mass.dynamics import derivatives, level_trim_thrust, polar_drag
 from ftc_jsb.point_mass.model import at_condition
-from ftc_jsb.point_mass.parameters import load_point_mass
 from ftc_jsb.resources import aircraft_folder
 
 AIRCRAFT = load_point_mass(aircraft_folder("paper"))

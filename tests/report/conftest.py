@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from ftc_jsb.recording.flight import Flight
 from ftc_jsb.report.page import write_report
-from ftc_jsb.simulation.flight import Flight
 
 MODELS = ("paper", "identified", "jsbsim")
 LOOPS = ("ftc", "no-ftc")

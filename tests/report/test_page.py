@@ -8,16 +8,16 @@ from importlib import resources
 
 import pytest
 
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.margins.condition import level_scenario
 from ftc_jsb.margins.document import document
 from ftc_jsb.margins.measure import CHANNELS, channel_margins
-from ftc_jsb.metrics import flight_metrics
+from ftc_jsb.report.chart_series import flight_series
 from ftc_jsb.report.charts import charts
 from ftc_jsb.report.findings import find
-from ftc_jsb.report.known_margins import read_margins
+from ftc_jsb.report.margins_files import read_margins
 from ftc_jsb.report.page import write_report
-from ftc_jsb.report.series import flight_series
 
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 APART = ("script", "style", "pre", "code", "nav")  # not words on the page

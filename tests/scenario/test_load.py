@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from ftc_jsb.aircraft.point_mass_file import load_point_mass
 from ftc_jsb.errors import ScenarioError
-from ftc_jsb.point_mass.parameters import load_point_mass
 from ftc_jsb.resources import aircraft_folder, shipped
 from ftc_jsb.scenario.load import load_scenario, parse_scenario, scenario_names, scenario_toml
 from ftc_jsb.scenario.schema import Scenario

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.errors import ScenarioError
-from ftc_jsb.metrics import flight_metrics
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.batch import fly_batch
 from ftc_jsb.simulation.fly import fly

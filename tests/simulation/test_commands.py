@@ -6,16 +6,17 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
+from ftc_jsb.analysis.metrics import flight_metrics, passed
 from ftc_jsb.errors import RecordingError, ScenarioError
-from ftc_jsb.metrics import flight_metrics, passed
+from ftc_jsb.recording import commands as c
+from ftc_jsb.recording.columns import ROW
+from ftc_jsb.recording.netcdf import load, save, to_dataset
+from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.scenario.schema import Fault, Loop
-from ftc_jsb.simulation import commands as c
+from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.simulation.recording import load, save, to_dataset
 from ftc_jsb.simulation.replay import differences, replay
 from ftc_jsb.simulation.steering import changed_loop
-from ftc_jsb.simulation.variables import ROW
 
 FAULT = Fault(effectiveness=0.7, start=0.0)
 DEGREE = np.pi / 180.0

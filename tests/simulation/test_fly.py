@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from ftc_jsb.analysis.metrics import flight_metrics, passed
 from ftc_jsb.errors import ScenarioError
-from ftc_jsb.metrics import flight_metrics, passed
+from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.simulation.variables import ROW
 
 JSBSIM = "model=jsbsim"
 

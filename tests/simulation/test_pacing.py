@@ -5,11 +5,11 @@ import time
 import numpy as np
 import pytest
 
+from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.simulation.commands import CommandQueue
+from ftc_jsb.simulation.command_source import CommandQueue
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.simulation.pacing import Pacer
-from ftc_jsb.simulation.variables import ROW
 
 
 @pytest.mark.parametrize("model", ["paper", "jsbsim"])

@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.errors import ScenarioError
-from ftc_jsb.metrics import flight_metrics
+from ftc_jsb.runs.check import check_scenario
 from ftc_jsb.scenario.load import load_scenario
-from ftc_jsb.simulation.check import check_scenario
 from ftc_jsb.simulation.fly import fly
 
 

@@ -7,10 +7,10 @@ import pytest
 
 from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.errors import AircraftError, ScenarioError, TrimError
+from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.simulation.variables import ROW
 from ftc_jsb.six_dof.plant import JsbsimPlant
 
 DT = 0.01

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from ftc_jsb.aircraft.description import Correction, Edit, load_aircraft
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.six_dof.aircraft import Correction, Edit, load_aircraft
 from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
 from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.six_dof.trim import load, trimmed

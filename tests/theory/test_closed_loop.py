@@ -5,12 +5,12 @@ import itertools
 import numpy as np
 import pytest
 
-from ftc_jsb.control.nonaffine import trim_step_second_order
 from ftc_jsb.errors import TheoryError
 from ftc_jsb.theory.closed_loop import ClosedLoop, Settings
 from ftc_jsb.theory.gains import given_gains, placed_gains
+from ftc_jsb.theory.law import trim_step_second_order
 from ftc_jsb.theory.linearization import linearize
-from ftc_jsb.theory.stability import stability
+from ftc_jsb.theory.lyapunov import stability
 from ftc_jsb.theory.systems import textbook_plant
 
 SETTINGS = Settings(

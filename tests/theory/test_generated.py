@@ -6,11 +6,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.nonaffine import SOLVED, make_law
 from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.point_mass.dynamics import velocity
 from ftc_jsb.theory.approximation import estimate_bounds
 from ftc_jsb.theory.generated import generate
+from ftc_jsb.theory.law import SOLVED, make_law
 from ftc_jsb.theory.linearization import linearize
 from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity, textbook_plant
 from tests.point_mass.models import PAPER, law, rates

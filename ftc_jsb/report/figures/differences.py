@@ -4,12 +4,12 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
+from ftc_jsb.analysis.validity import MOTION, compared
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.display_names import loop_title, model_title
 from ftc_jsb.report.figures.panels import Flights, legend, loop_styles, mark_faults
 from ftc_jsb.report.figures.style import POINTS, RC, width
-from ftc_jsb.report.groups import model_pairs
-from ftc_jsb.report.validity import MOTION, compared
-from ftc_jsb.report.words import loop_title, model_title
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.report.flight_groups import model_pairs
 
 
 def differences(flights: Flights) -> Figure | None:

@@ -11,8 +11,8 @@ from ftc_jsb.report.figures.panels import Flights
 from ftc_jsb.report.figures.states import controls, states, tracking
 from ftc_jsb.report.figures.style import save
 from ftc_jsb.report.figures.trajectories import trajectories
-from ftc_jsb.report.groups import by_scenario
-from ftc_jsb.scenario.schema import CHANNELS
+from ftc_jsb.report.flight_groups import by_scenario
+from ftc_jsb.vocabulary.channels import CHANNELS
 
 
 def draw_all(flights: Flights, folder: Path) -> list[str]:

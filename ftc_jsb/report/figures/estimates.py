@@ -6,7 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ftc_jsb.metrics import unobservable
+from ftc_jsb.analysis.metrics import unobservable
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.display_names import CHANNEL_TITLES, loop_title
 from ftc_jsb.report.figures.panels import (
     Flights,
     by_model,
@@ -17,9 +19,7 @@ from ftc_jsb.report.figures.panels import (
     thinned,
 )
 from ftc_jsb.report.figures.style import RC, REFERENCE, UNOBSERVABLE, width
-from ftc_jsb.report.words import CHANNEL_TITLES, loop_title
-from ftc_jsb.scenario.schema import Channel
-from ftc_jsb.simulation.flight import Flight
+from ftc_jsb.vocabulary.channels import Channel
 
 ERRORS = 0.05  # the error's axis ends here; what goes beyond is the transient at the fault
 

@@ -10,11 +10,11 @@ import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ftc_jsb.analysis.limits import tracking_errors
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.display_names import loop_title, model_title
+from ftc_jsb.report.fault_marks import fault_times
 from ftc_jsb.report.figures.style import FAULT, POINTS, RC, REFERENCE, STYLES, UNOBSERVABLE, width
-from ftc_jsb.report.marks import fault_times
-from ftc_jsb.report.words import loop_title, model_title
-from ftc_jsb.scenario.limits import tracking_errors
-from ftc_jsb.simulation.flight import Flight
 
 Flights = Mapping[str, Flight]
 Array = npt.NDArray[np.float64]

@@ -7,6 +7,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.display_names import loop_title
+from ftc_jsb.report.fault_marks import onset
 from ftc_jsb.report.figures.panels import (
     Flights,
     by_model,
@@ -16,9 +19,6 @@ from ftc_jsb.report.figures.panels import (
     thinned,
 )
 from ftc_jsb.report.figures.style import RC, width
-from ftc_jsb.report.marks import onset
-from ftc_jsb.report.words import loop_title
-from ftc_jsb.simulation.flight import Flight
 
 
 def trajectories(flights: Flights) -> Figure:

@@ -1,0 +1,1 @@
+"""The typed `aircraft.toml` and flight conditions that follow from it."""

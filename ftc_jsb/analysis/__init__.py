@@ -1,0 +1,1 @@
+"""Numbers from flights: metrics, limits, residuals, validity, the proof along a flight."""

@@ -1,0 +1,64 @@
+"""The limits of a scenario, and where a flight broke them."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.scenario.limits import Limits
+
+Array = npt.NDArray[np.float64]
+
+
+class BrokenLimit(NamedTuple):
+    """The first time a variable left its range, and how far it went."""
+
+    name: str  # key of [limits]
+    time: float  # [s], of the first sample outside
+    value: float  # the worst, in the key's unit
+    limit: float  # the bound that it passed
+
+
+def limited_variables(record: npt.NDArray[Any]) -> dict[str, Array]:
+    """Every variable that can be limited, in the unit of its key in [limits]."""
+    degrees = {
+        "bank_deg": "bank_angle",
+        "flight_path_deg": "flight_path_angle",
+        "alpha_deg": "alpha",
+        "sideslip_deg": "sideslip",
+    }
+    plain = ("airspeed", "altitude", "load_factor", "mach")
+    return {
+        **{name: record[name] for name in plain},
+        **{key: np.degrees(record[name]) for key, name in degrees.items()},
+        **tracking_errors(record),
+    }
+
+
+def tracking_errors(record: npt.NDArray[Any]) -> dict[str, Array]:
+    """True value minus reference: airspeed [m/s], flight path and heading [deg]."""
+    return {
+        "error_airspeed": record["airspeed"] - record["airspeed_ref"],
+        "error_flight_path_deg": np.degrees(
+            record["flight_path_angle"] - record["flight_path_angle_ref"]
+        ),
+        "error_heading_deg": np.degrees(record["heading"] - record["heading_ref"]),
+    }
+
+
+def broken_limits(record: npt.NDArray[Any], limits: Limits) -> list[BrokenLimit]:
+    """Limits that a flight broke, the earliest first; a variable that is not recorded breaks none."""
+    broken = []
+    variables = limited_variables(record)
+    for name in type(limits).model_fields:
+        bounds = getattr(limits, name)
+        if bounds is None:
+            continue
+        values = variables[name]
+        for bound, beyond in zip(bounds, (bounds[0] - values, values - bounds[1]), strict=True):
+            outside = np.flatnonzero(beyond > 0.0)
+            if outside.size:
+                worst = int(np.nanargmax(beyond))
+                time = float(record["time"][outside[0]])
+                broken.append(BrokenLimit(name, time, float(values[worst]), float(bound)))
+    return sorted(broken, key=lambda limit: limit.time)

@@ -1,0 +1,138 @@
+"""How well a point mass tells what the 6-DOF aircraft does: differences and Theil's coefficient."""
+
+import math
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.analysis.limits import tracking_errors
+from ftc_jsb.recording.flight import Flight
+
+Array = npt.NDArray[np.float64]
+Answer = Literal["yes", "in part", "no"]
+
+ACCEPTED = 0.3  # Theil's coefficient up to which a model is commonly taken to agree
+
+
+class Variable(NamedTuple):
+    """What is compared, and in which unit."""
+
+    name: str  # in the recording, or of `tracking_errors`
+    key: str  # in metrics.json
+    title: str
+    unit: str
+    factor: float  # from the recording's unit
+
+
+MOTION = (
+    Variable("airspeed", "airspeed_mps", "Airspeed", "m/s", 1.0),
+    Variable("flight_path_angle", "flight_path_deg", "Flight path", "deg", math.degrees(1.0)),
+    Variable("heading", "heading_deg", "Heading", "deg", math.degrees(1.0)),
+    Variable("thrust_cmd", "thrust_command_kn", "Thrust command", "kN", 1e-3),
+    Variable("load_factor", "load_factor", "Load factor", "", 1.0),
+    Variable("bank_angle", "bank_deg", "Bank angle", "deg", math.degrees(1.0)),
+)
+ERRORS = (
+    Variable("error_airspeed", "error_airspeed_mps", "Airspeed error", "m/s", 1.0),
+    Variable("error_flight_path_deg", "error_flight_path_deg", "Path error", "deg", 1.0),
+    Variable("error_heading_deg", "error_heading_deg", "Heading error", "deg", 1.0),
+)
+
+
+class Difference(NamedTuple):
+    """Point mass minus 6-DOF of one variable over a flight.
+
+    Theil's inequality coefficient (1966) is RMS(a - b) / (RMS a + RMS b): 0 same, 1 nothing in
+    common. The mean square of the difference is made up of three parts that add up to 1: bias (the
+    means differ), variance (the fluctuations differ in size) and covariance (they differ in time).
+    """
+
+    rms: float
+    peak: float
+    theil: float
+    bias: float
+    variance: float
+    covariance: float
+
+
+def compared(variable: Variable, point_mass: Flight, six_dof: Flight) -> tuple[Array, Array, Array]:
+    """Time [s] that both flew, and the variable of both in its unit, where both are known."""
+    count = min(point_mass.record.size, six_dof.record.size)
+    one, other = (
+        variable.factor * _column(flight.record[:count], variable.name)
+        for flight in (point_mass, six_dof)
+    )
+    known = np.isfinite(one) & np.isfinite(other)
+    return point_mass.record["time"][:count][known], one[known], other[known]
+
+
+def difference(a: Array, b: Array) -> Difference | None:
+    """Difference of two series of the same length; None without samples."""
+    if a.size == 0:
+        return None
+    square = float(np.mean((a - b) ** 2))
+    size = _rms(a) + _rms(b)
+    rms, peak = math.sqrt(square), float(np.abs(a - b).max())
+    if square == 0.0:
+        return Difference(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    bias = float(np.mean(a) - np.mean(b)) ** 2 / square
+    variance = float(np.std(a) - np.std(b)) ** 2 / square
+    return Difference(rms, peak, rms / size, bias, variance, 1.0 - bias - variance)
+
+
+def compare_flights(point_mass: Flight, six_dof: Flight) -> dict[str, Any]:
+    """Differences by key of metrics.json, and of the position over the time that both flew."""
+    found: dict[str, Any] = {}
+    for variable in MOTION + ERRORS:
+        _, one, other = compared(variable, point_mass, six_dof)
+        result = difference(one, other)
+        found[variable.key] = None if result is None else result._asdict()
+    distance = apart(point_mass, six_dof)
+    found["position_m"] = {"rms": _rms(distance), "peak": float(distance.max())}
+    return found
+
+
+def apart(point_mass: Flight, six_dof: Flight) -> Array:
+    """Distance [m] between the two aircraft over the time that both flew."""
+    count = min(point_mass.record.size, six_dof.record.size)
+    one, other = point_mass.record[:count], six_dof.record[:count]
+    square = sum((one[axis] - other[axis]) ** 2 for axis in ("north", "east", "altitude"))
+    return np.asarray(np.sqrt(square))
+
+
+def judge(pairs: list[dict[str, Any]]) -> dict[str, Any]:
+    """Whether a point mass told the truth, over its pairs: the answer and what it hangs on.
+
+    "yes": the same verdict in every flight, and Theil's coefficient at most ACCEPTED for motion,
+    commands and tracking errors; "in part": tracking errors excepted; else "no".
+
+    Args:
+        pairs: entries of `validity` in metrics.json.
+    """
+    motion, errors = (_worst(pairs, group) for group in (MOTION, ERRORS))
+    same = all(pair["same_verdict"] for pair in pairs)
+    answer: Answer = "no"
+    if same and motion["theil"] <= ACCEPTED:
+        answer = "yes" if errors["theil"] <= ACCEPTED else "in part"
+    return {"answer": answer, "same_verdict": same, "motion": motion, "tracking_errors": errors}
+
+
+def _worst(pairs: list[dict[str, Any]], group: tuple[Variable, ...]) -> dict[str, Any]:
+    """The largest coefficient of a group of variables, and which variable has it."""
+    told = [
+        (pair["variables"][variable.key]["theil"], variable)
+        for pair in pairs
+        for variable in group
+        if pair["variables"][variable.key] is not None
+    ]
+    theil, variable = max(told, key=lambda entry: entry[0])
+    return {"theil": theil, "variable": variable.key, "title": variable.title}
+
+
+def _column(record: npt.NDArray[Any], name: str) -> Array:
+    return tracking_errors(record)[name] if name.startswith("error_") else record[name]
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values**2)))

@@ -1,0 +1,1 @@
+"""`ftc-jsb export`: the woven aircraft for plain JSBSim."""

@@ -1,0 +1,138 @@
+"""The built-in outer loops: what makes one differ from another, as settings of one compiled kernel."""
+
+import math
+from collections.abc import Callable
+from functools import cached_property, partial
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.compiled import direct
+from ftc_jsb.control.outer_loop import outer_loop_step
+from ftc_jsb.control.protocol import LoopSetup
+from ftc_jsb.control.records import (
+    ASSUMED_HEALTHY,
+    ESTIMATED,
+    EXTENDED,
+    LOOP_SETTINGS,
+    LOOP_STATE,
+    NO_ESTIMATOR,
+    TRUE,
+    UNSCENTED,
+)
+from ftc_jsb.disturbance.sensors import sensor_errors
+from ftc_jsb.loops.tuning import covariances
+from ftc_jsb.scenario.loop import Loop
+from ftc_jsb.vocabulary.channels import CHANNELS
+
+
+class Kind(NamedTuple):
+    """What makes one built-in loop differ from another."""
+
+    meaning: str
+    estimator: int = UNSCENTED
+    effectiveness: int = ESTIMATED  # where the law takes it from
+    integral: bool = False
+    path: bool = False  # tracks position
+    robust: bool = False  # covariances from the sensors, accelerometer, errors of the estimate
+
+
+BUILT_IN = {
+    "ftc": Kind("the paper's: UKF estimate in the law (20)"),
+    "no-ftc": Kind(
+        "same law and filter, effectiveness 1 in the law", effectiveness=ASSUMED_HEALTHY
+    ),
+    "oracle": Kind("the true effectiveness in the law", effectiveness=TRUE),
+    "integral": Kind("no estimator, integral action", NO_ESTIMATOR, ASSUMED_HEALTHY, integral=True),
+    "ekf": Kind("as ftc, with an extended Kalman filter", EXTENDED),
+    "robust": Kind(
+        "as ftc, for real sensors and turbulence: filter tuned by both, accelerometer", robust=True
+    ),
+    "path": Kind("as ftc, tracking position: the path that the references make", path=True),
+}
+ROBUST_LEAD_FILTER = 8.0  # [1/s]: a lead of 0.2 to 0.3 s makes noise 3 times as large, not 15
+
+
+class CompiledLoop:
+    """One of the built-in loops: the compiled kernel with its settings."""
+
+    def __init__(self, setup: LoopSetup, model: npt.NDArray[Any], record: npt.NDArray[Any]) -> None:
+        """Args: a loop in BUILT_IN and what it is built from; (1,) MODEL; recording."""
+        loop = setup.settings
+        self.settings = loop_settings(setup, model)
+        self.state = np.zeros(1, LOOP_STATE)
+        filters = self.state[0]["filter"]
+        filters["count"] = 3 + len(loop.estimator.channels)
+        for index, channel in enumerate(loop.estimator.channels):
+            filters["channel"][index] = CHANNELS.index(channel)
+        self.model = model
+        self._record = record
+
+    @cached_property
+    def _step(self) -> Callable[[int], Any]:
+        given = (self.settings, self.model, self.state, self._record)
+        return partial(direct(outer_loop_step, *given, 0), *given)
+
+    def step(self, i: int) -> None:
+        """One sample."""
+        self._step(i)
+
+
+def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """[loop] of a scenario as (1,) LOOP_SETTINGS of the built-in loop that it names."""
+    loop, dt = setup.settings, setup.dt
+    kind = BUILT_IN[loop.name]
+    estimator, detector = loop.estimator, loop.detector
+    settings = np.zeros(1, LOOP_SETTINGS)
+    s = settings[0]
+    s["dt"] = dt
+    s["estimator"] = kind.estimator
+    s["effectiveness"] = kind.effectiveness
+    s["gains"] = loop.gains
+    s["integral_gains"] = loop.integral_gains if kind.integral else 0.0
+    s["track_path"] = kind.path
+    s["path_gains"] = loop.path_gains
+    s["bank_share"] = loop.bank_share
+    s["drag_correction"] = loop.drag_correction
+    s["speed_first"] = loop.priority == "speed"
+    s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
+    s["effectiveness_floor"] = loop.effectiveness_floor
+    if loop.response_lead:
+        for axis in range(2):  # a second-order lag is late by 2 z / w
+            frequency = model[0]["response_frequency"][axis]
+            if frequency > 0.0:
+                s["lead"][axis] = 2.0 * model[0]["response_damping"][axis] / frequency
+    s["lead_filter"] = (
+        min(loop.lead_filter, ROBUST_LEAD_FILTER) if kind.robust else loop.lead_filter
+    )
+    s["lead_share"] = 1.0 - math.exp(-s["lead_filter"] * dt)
+    size = len(estimator.process_noise)
+    s["process_noise"][:size] = estimator.process_noise
+    s["measurement_noise"] = estimator.measurement_noise
+    s["initial_covariance"][:size] = estimator.initial_covariance
+    tuned = covariances(sensor_errors(setup.sensors), dt)
+    if tuned_by_sensors(loop):
+        s["process_noise"][:3], s["measurement_noise"] = tuned.process, tuned.measurement
+        s["initial_covariance"][:3] = tuned.measurement
+        s["response_time"] = estimator.response_time
+    if kind.robust or estimator.accelerometer:
+        s["acceleration_noise"] = tuned.acceleration
+    s["feedback"] = kind.robust or loop.feedback == "estimated"
+    s["spread"] = estimator.spread
+    if estimator.gate:
+        from scipy.stats import chi2
+
+        s["gate"] = chi2.ppf(estimator.gate_probability, df=3)
+        s["gate_patience"] = estimator.gate_patience
+    s["bounded"] = estimator.bounded
+    s["detector_margin"] = detector.margin
+    s["detector_sigmas"] = detector.sigmas
+    s["detector_hold"] = detector.hold
+    return settings
+
+
+def tuned_by_sensors(loop: Loop) -> bool:
+    """Whether the covariances of a loop follow from the sensors, and not from its settings."""
+    kind = BUILT_IN.get(loop.name)
+    return loop.estimator.tuning == "sensors" or (kind is not None and kind.robust)

@@ -1,0 +1,1 @@
+"""Messages that a ground station sends, and their answers."""

@@ -1,0 +1,1 @@
+"""Bytes and frames: endpoints, transport, signing, telemetry logs."""

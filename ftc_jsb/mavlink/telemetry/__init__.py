@@ -1,0 +1,1 @@
+"""Messages that the vehicle sends: what a row of the recording says."""

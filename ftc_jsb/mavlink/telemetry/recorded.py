@@ -1,0 +1,34 @@
+"""A recording as the telemetry that its flight would have sent at the default rates."""
+
+from pathlib import Path
+
+import numpy as np
+from pymavlink.dialects.v20 import common as dialect
+
+from ftc_jsb.mavlink.link.encoder import Encoder
+from ftc_jsb.mavlink.link.telemetry_log import TelemetryLog
+from ftc_jsb.mavlink.telemetry.snapshot import Counters, Observatory, Phase
+from ftc_jsb.mavlink.telemetry.status_texts import Watch
+from ftc_jsb.mavlink.telemetry.streams import Timetable, contents
+from ftc_jsb.recording.flight import Flight
+
+
+def write_tlog(flight: Flight, path: Path) -> None:
+    """Write a telemetry log of a flight; a recording has no date, so the log begins in 1970."""
+    record = flight.record
+    time = 0.0
+    timetable = Timetable(lambda: time)
+    encoder, observatory = Encoder(1), Observatory(flight.scenario)
+    events = Watch(flight.scenario).news(record, 0, record.size)
+    with TelemetryLog(path) as log:
+        while time <= float(record["time"][-1]):
+            i = max(int(np.searchsorted(record["time"], time, side="right")) - 1, 0)
+            while events and events[0].row <= i:
+                event = events.pop(0)
+                fields = {"severity": event.severity, "text": event.text}
+                log.write(encoder.frame(dialect.MAVLink_statustext_message, fields), time)
+            snapshot = observatory.at(record, i, Phase.FLYING, time, Counters())
+            for stream in timetable.due():
+                for fields in contents(stream, snapshot):
+                    log.write(encoder.frame(stream.message, fields), time)
+            time = timetable.next()

@@ -1,0 +1,90 @@
+"""What the messages are made of: one row of a recording, with position, attitude and thrust limits."""
+
+import math
+from enum import Enum
+from typing import Any, NamedTuple
+
+import numpy.typing as npt
+
+from ftc_jsb.compiled import direct
+from ftc_jsb.frames import body_rates
+from ftc_jsb.mavlink.telemetry.geodesy import Origin
+from ftc_jsb.point_mass.model import thrust_limits
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.assembly import point_mass_of
+
+Angles = tuple[float, float, float]
+
+WILD = 1e12  # in any unit: a number beyond it is of a flight that is lost, and told as unknown
+
+
+class Phase(Enum):
+    """Where a flight is, as the link tells it."""
+
+    WAITING = "waiting"  # not yet begun
+    FLYING = "flying"
+    PAUSED = "paused"
+    OVER = "over"  # complete or ended by command
+    LOST = "lost"  # departed, failed or interrupted
+
+
+class Counters(NamedTuple):
+    """What SYS_STATUS tells of the link itself."""
+
+    load: float = 0.0  # share of the last sample's time that the flight took
+    overruns: int = 0  # samples that began late
+    clamped: int = 0  # values that did not fit their field
+    unsent: int = 0  # frames that no peer took
+    refused: int = 0  # frames that were not understood or not trusted
+
+
+class Snapshot(NamedTuple):
+    """A vehicle at one sample, SI and rad."""
+
+    phase: Phase
+    counters: Counters
+    unix: float  # [s]
+    row: dict[str, float]  # of the recording; empty while waiting
+    attitude: Angles
+    rates: Angles
+    thrust_idle: float
+    thrust_maximum: float
+    origin: Origin  # of north and east
+
+
+class Observatory:
+    """Makes snapshots of rows of the recordings of one scenario."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        """Builds what a snapshot needs, kernels included: none is compiled in flight."""
+        initial = scenario.initial
+        self._origin = (initial.latitude_deg, initial.longitude_deg, initial.altitude)
+        self._model = point_mass_of(scenario).record(scenario.aircraft.fuel_fraction)
+        self._dt = 1.0 / scenario.loop.rate
+        self._rates = direct(body_rates, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
+        self._limits = direct(thrust_limits, self._model, 0.0, 0.0)
+
+    def waiting(self, unix: float, counters: Counters) -> Snapshot:
+        """Before the first row."""
+        nowhere = (0.0, 0.0, 0.0)
+        return Snapshot(
+            Phase.WAITING, counters, unix, {}, nowhere, nowhere, 0.0, 0.0, self._origin
+        )  # fmt: skip
+
+    def at(
+        self, record: npt.NDArray[Any], i: int, phase: Phase, unix: float, counters: Counters
+    ) -> Snapshot:
+        """Of row `i`, which is complete."""
+        names, values = record.dtype.names or (), record[i].tolist()
+        row = {
+            name: v if -WILD < v < WILD else math.nan for name, v in zip(names, values, strict=True)
+        }
+        now = (row["roll"], row["pitch"], row["yaw"])
+        rates = (row["roll_rate"], row["pitch_rate"], row["yaw_rate"])
+        if not math.isfinite(sum(rates)):  # a point mass has none
+            before = record[max(i - 1, 0)]
+            then = (float(before["roll"]), float(before["pitch"]), float(before["yaw"]))
+            apart = float(record[i]["time"] - before["time"])  # more than a sample if thinned
+            rates = self._rates(then, now, apart or self._dt)
+        idle, most = self._limits(self._model, row["airspeed"], row["altitude"])
+        return Snapshot(phase, counters, unix, row, now, rates, idle, most, self._origin)

@@ -1,0 +1,99 @@
+"""Messages about the vehicle itself: heartbeat, health, home, clocks."""
+
+import math
+from typing import Any
+
+from pymavlink.dialects.v20 import common as dialect
+
+from ftc_jsb.mavlink.telemetry.quaternion import quaternion
+from ftc_jsb.mavlink.telemetry.snapshot import Phase, Snapshot
+
+Fields = dict[str, Any]
+
+CUSTOM_MODE = 15  # what MAVProxy calls GUIDED on a plane: the flight follows set-points
+MODE = (
+    dialect.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+    | dialect.MAV_MODE_FLAG_GUIDED_ENABLED
+    | dialect.MAV_MODE_FLAG_STABILIZE_ENABLED
+    | dialect.MAV_MODE_FLAG_MANUAL_INPUT_ENABLED
+)
+ARMED = dialect.MAV_MODE_FLAG_SAFETY_ARMED
+SENSORS = (
+    dialect.MAV_SYS_STATUS_SENSOR_3D_GYRO
+    | dialect.MAV_SYS_STATUS_SENSOR_3D_ACCEL
+    | dialect.MAV_SYS_STATUS_SENSOR_3D_MAG
+    | dialect.MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE
+    | dialect.MAV_SYS_STATUS_SENSOR_DIFFERENTIAL_PRESSURE
+    | dialect.MAV_SYS_STATUS_SENSOR_GPS
+    | dialect.MAV_SYS_STATUS_SENSOR_ATTITUDE_STABILIZATION
+    | dialect.MAV_SYS_STATUS_GEOFENCE
+    | dialect.MAV_SYS_STATUS_AHRS
+    | dialect.MAV_SYS_STATUS_PREARM_CHECK
+)
+ENGINE = dialect.MAV_SYS_STATUS_SENSOR_PROPULSION
+STATES = {
+    Phase.WAITING: dialect.MAV_STATE_BOOT,
+    Phase.FLYING: dialect.MAV_STATE_ACTIVE,
+    Phase.PAUSED: dialect.MAV_STATE_ACTIVE,
+    Phase.OVER: dialect.MAV_STATE_STANDBY,
+    Phase.LOST: dialect.MAV_STATE_FLIGHT_TERMINATION,
+}
+IN_THE_AIR = (Phase.FLYING, Phase.PAUSED)
+UNKNOWN_16 = 2**16 - 1
+
+
+def heartbeat(s: Snapshot) -> Fields:
+    """HEARTBEAT: a fixed wing, armed while it flies."""
+    return {
+        "type": dialect.MAV_TYPE_FIXED_WING,
+        "autopilot": dialect.MAV_AUTOPILOT_GENERIC,
+        "base_mode": MODE | (ARMED if s.phase in IN_THE_AIR else 0),
+        "custom_mode": CUSTOM_MODE,
+        "system_status": STATES[s.phase],
+        "mavlink_version": 3,
+    }
+
+
+def sys_status(s: Snapshot) -> Fields:
+    """SYS_STATUS: propulsion is unhealthy while the detector declares a fault; the link's counters."""
+    healthy = s.row.get("fault_declared", 0.0) < 0.5
+    c = s.counters
+    return {
+        "onboard_control_sensors_present": SENSORS | ENGINE,
+        "onboard_control_sensors_enabled": SENSORS | ENGINE,
+        "onboard_control_sensors_health": SENSORS | (ENGINE if healthy else 0),
+        "load": min(max(1000.0 * c.load, 0.0), 1000.0),
+        "voltage_battery": UNKNOWN_16,
+        "current_battery": -1,
+        "battery_remaining": -1,
+        "errors_comm": c.refused % 2**16,
+        "errors_count1": c.overruns % 2**16,
+        "errors_count2": c.clamped % 2**16,
+        "errors_count3": c.unsent % 2**16,
+    }
+
+
+def system_time(s: Snapshot) -> Fields:
+    """SYSTEM_TIME: the wall clock, and the time of flight."""
+    return {"time_unix_usec": 1e6 * s.unix, "time_boot_ms": 1e3 * s.row.get("time", 0.0)}
+
+
+def extended_sys_state(s: Snapshot) -> Fields:
+    """EXTENDED_SYS_STATE: in the air while it flies."""
+    in_air = dialect.MAV_LANDED_STATE_IN_AIR
+    undefined = dialect.MAV_LANDED_STATE_UNDEFINED
+    return {"landed_state": in_air if s.phase in IN_THE_AIR else undefined}
+
+
+def home_position(s: Snapshot) -> Fields:
+    """HOME_POSITION: the scenario's origin, at sea level."""
+    return {
+        "latitude": 1e7 * s.origin[0],
+        "longitude": 1e7 * s.origin[1],
+        "altitude": 0,
+        "q": quaternion(0.0, 0.0, 0.0),
+        "approach_x": math.nan,
+        "approach_y": math.nan,
+        "approach_z": math.nan,
+        "time_usec": 1e6 * s.row.get("time", 0.0),
+    }

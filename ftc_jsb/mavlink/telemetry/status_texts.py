@@ -1,0 +1,141 @@
+"""What STATUSTEXT tells of a flight: faults and limits, from the rows that have been flown."""
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from pymavlink.dialects.v20 import common as dialect
+
+from ftc_jsb.analysis.limits import limited_variables
+from ftc_jsb.disturbance.faults import ENGINE_OUT, HEALTHY, HELD, TIME_TOLERANCE
+from ftc_jsb.scenario.limits import Limits
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.vocabulary.channels import CHANNELS, ENGINES, SURFACES
+from ftc_jsb.vocabulary.signals import SENSED
+
+WHOLE = 1.0 - 1e-9  # effectiveness below which there is a fault
+STEP = 0.02  # change of an effectiveness from one sample to the next that is told
+NEAR = 0.05  # of a limit's range: this close to its end is near
+SETTLED = 0.01  # an estimate that moves less than this ...
+SETTLING = 0.5  # ... in this time [s] has isolated the fault
+LONGEST = 50  # characters of a text
+
+NOTICE, WARNING = dialect.MAV_SEVERITY_NOTICE, dialect.MAV_SEVERITY_WARNING
+CRITICAL = dialect.MAV_SEVERITY_CRITICAL
+
+
+STATES = {ENGINE_OUT: "out", HELD: "stuck"}
+SCHEDULED = (  # name, column, whether it is a state rather than an effectiveness
+    *((channel.replace("_", " "), f"effectiveness_{channel}", False) for channel in CHANNELS),
+    *((surface, f"{surface}_effectiveness", False) for surface in SURFACES),
+    *((f"engine {number + 1}", f"engine_{number}_state", True) for number in range(ENGINES)),
+    *((surface, f"{surface}_state", True) for surface in SURFACES),
+)
+
+
+class Event(NamedTuple):
+    """Something worth a line on the ground station."""
+
+    row: int
+    severity: int
+    text: str
+
+
+class Watch:
+    """Looks at rows in order, once each, and tells what happened in them."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        """Args: what is flown."""
+        self._limits = scenario.limits
+        self._sensor_faults = [f for f in scenario.fault if f.target in SENSED]
+        self._margin = scenario.loop.detector.margin
+        self._window = max(1, round(SETTLING * scenario.loop.rate))
+        self._near: dict[str, int] = {}  # 0 inside, 1 near, 2 broken
+        self._isolated = False
+
+    def news(self, record: npt.NDArray[Any], first: int, beyond: int) -> list[Event]:
+        """Events of rows `first` to `beyond - 1`, in their order."""
+        found = [
+            *self._faults(record, first, beyond),
+            *self._sensors(record, first, beyond),
+            *self._detector(record, first, beyond),
+            *self._broken(record[first:beyond], first, self._limits),
+        ]
+        return sorted(found, key=lambda event: event.row)
+
+    def _faults(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
+        """Onsets, jumps and ends of what stands in the schedule."""
+        for name, column, is_state in SCHEDULED:
+            sound = HEALTHY if is_state else 1.0
+            values = np.nan_to_num(record[column][max(first - 1, 0) : beyond], nan=sound)
+            if first == 0:
+                values = np.concatenate(([sound], values))
+            before, now = values[:-1], values[1:]
+            faulty = now != sound if is_state else now < WHOLE
+            changed = np.abs(now - before) > (0.0 if is_state else STEP)
+            was = before != sound if is_state else before < WHOLE
+            for k in np.flatnonzero((faulty & (changed | ~was)) | (~faulty & was)):
+                if faulty[k]:
+                    what = STATES.get(int(now[k]), "hard over") if is_state else f"{now[k]:.2f}"
+                    yield Event(first + int(k), WARNING, f"fault injected: {name} {what}")
+                else:
+                    yield Event(first + int(k), NOTICE, f"fault removed: {name}")
+
+    def _sensors(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
+        """Onsets and ends of the scenario's faults of sensors, which stand in no column."""
+        times = record["time"][first:beyond]
+        for fault in self._sensor_faults:
+            for when, text in (
+                (fault.start, f"fault injected: {fault.target} {fault.kind}"),
+                (fault.end, f"fault removed: {fault.target}"),
+            ):
+                if when is None:
+                    continue
+                k = int(np.searchsorted(times, when - TIME_TOLERANCE))
+                new = first == 0 or record["time"][first - 1] < when - TIME_TOLERANCE
+                if k < times.size and new:
+                    yield Event(first + k, WARNING, text)
+
+    def _detector(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
+        declared = record["fault_declared"][max(first - 1, 0) : beyond] > 0.5
+        if first == 0:
+            declared = np.concatenate(([False], declared))
+        for k in range(first, beyond):
+            before, now = declared[k - first], declared[k - first + 1]
+            if now and not before:
+                self._isolated = False
+                yield Event(k, WARNING, "fault detected")
+            elif before and not now:
+                yield Event(k, NOTICE, "recovered: no fault declared")
+            if now and not self._isolated and k >= self._window:
+                text = self._isolation(record[k], record[k - self._window])
+                if text:
+                    self._isolated = True
+                    yield Event(k, WARNING, text)
+
+    def _isolation(self, row: Any, before: Any) -> str:
+        """Which channel has lost how much, once the estimate has settled; "" before that."""
+        worst, least = "", 1.0 - self._margin
+        for channel in CHANNELS:
+            name = f"effectiveness_{channel}_est"
+            if abs(row[name] - before[name]) < SETTLED and row[name] < least:
+                worst, least = channel.replace("_", " "), float(row[name])
+        return f"fault isolated: {worst} {least:.2f}" if worst else ""
+
+    def _broken(self, rows: npt.NDArray[Any], first: int, limits: Limits) -> Iterator[Event]:
+        bounded = [name for name in type(limits).model_fields if getattr(limits, name)]
+        if not bounded or not rows.size:
+            return
+        variables = limited_variables(rows)
+        for name in bounded:
+            low, high = getattr(limits, name)
+            margin = np.minimum(variables[name] - low, high - variables[name])
+            level = np.where(margin < 0.0, 2, np.where(margin < NEAR * (high - low), 1, 0))
+            level = np.where(np.isfinite(margin), level, 0)
+            before = np.concatenate(([self._near.get(name, 0)], level[:-1]))
+            self._near[name] = int(level[-1])
+            for k in np.flatnonzero(level > before):
+                word, severity = ("broken", CRITICAL) if level[k] == 2 else ("near", WARNING)
+                value = f"{variables[name][k]:.4g}"
+                yield Event(first + int(k), severity, f"limit {word}: {name} {value}"[:LONGEST])

@@ -1,0 +1,127 @@
+"""The messages that are sent of their own accord, how often, and when each is due."""
+
+import time
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
+
+from pymavlink.dialects.v20 import common as dialect
+
+from ftc_jsb.mavlink.telemetry import motion, status
+from ftc_jsb.mavlink.telemetry import outer_loop as story
+from ftc_jsb.mavlink.telemetry.snapshot import Phase, Snapshot
+
+Fields = dict[str, Any]
+
+FASTEST = 200.0  # [Hz] that a message can be asked for
+TOGETHER = 0.01  # [s] by which messages are sent early, so that several are made of one look
+SLOWEST_HEARTBEAT = 1.0  # [Hz]: clients give a vehicle up that is slower
+
+
+class Stream(NamedTuple):
+    """A message, its default rate, what it is made by, and its group for REQUEST_DATA_STREAM."""
+
+    message: type[Any]
+    rate: float  # [Hz]; 0 = on request
+    build: Callable[[Snapshot], Fields | Iterable[Fields]]
+    group: int
+    waits: bool = True  # for the first row
+
+    @property
+    def id(self) -> int:
+        """Of the message."""
+        return int(self.message.id)
+
+
+_STATUS = dialect.MAV_DATA_STREAM_EXTENDED_STATUS
+_POSITION = dialect.MAV_DATA_STREAM_POSITION
+_CONTROL = dialect.MAV_DATA_STREAM_RAW_CONTROLLER
+_ATTITUDE = dialect.MAV_DATA_STREAM_EXTRA1
+_HUD = dialect.MAV_DATA_STREAM_EXTRA2
+_EXTRA = dialect.MAV_DATA_STREAM_EXTRA3
+
+STREAMS = (
+    Stream(dialect.MAVLink_heartbeat_message, 1.0, status.heartbeat, -1, waits=False),
+    Stream(dialect.MAVLink_sys_status_message, 1.0, status.sys_status, _STATUS, waits=False),
+    Stream(dialect.MAVLink_system_time_message, 1.0, status.system_time, _EXTRA, waits=False),
+    Stream(dialect.MAVLink_extended_sys_state_message, 1.0, status.extended_sys_state, _STATUS, waits=False),
+    Stream(dialect.MAVLink_home_position_message, 0.5, status.home_position, _STATUS, waits=False),
+    Stream(dialect.MAVLink_attitude_message, 25.0, motion.attitude, _ATTITUDE),
+    Stream(dialect.MAVLink_attitude_quaternion_message, 0.0, motion.attitude_quaternion, _ATTITUDE),
+    Stream(dialect.MAVLink_global_position_int_message, 10.0, motion.global_position_int, _POSITION),
+    Stream(dialect.MAVLink_local_position_ned_message, 2.0, motion.local_position_ned, _POSITION),
+    Stream(dialect.MAVLink_vfr_hud_message, 10.0, motion.vfr_hud, _HUD),
+    Stream(dialect.MAVLink_gps_raw_int_message, 2.0, motion.gps_raw_int, _STATUS),
+    Stream(dialect.MAVLink_attitude_target_message, 10.0, motion.attitude_target, _ATTITUDE),
+    Stream(dialect.MAVLink_nav_controller_output_message, 5.0, motion.nav_controller_output, _CONTROL),
+    Stream(dialect.MAVLink_actuator_output_status_message, 5.0, motion.actuator_output_status, _CONTROL),
+    Stream(dialect.MAVLink_hil_state_quaternion_message, 5.0, motion.hil_state_quaternion, _EXTRA),
+    Stream(dialect.MAVLink_wind_cov_message, 1.0, motion.wind_cov, _EXTRA),
+    Stream(dialect.MAVLink_named_value_float_message, 5.0, story.named_value_float, _EXTRA),
+    Stream(dialect.MAVLink_debug_float_array_message, 10.0, story.debug_float_array, _EXTRA),
+)  # fmt: skip
+BY_ID = {stream.id: stream for stream in STREAMS}
+HEARTBEAT = dialect.MAVLink_heartbeat_message.id
+
+
+def contents(stream: Stream, s: Snapshot) -> Iterable[Fields]:
+    """Fields of the messages of a stream at a snapshot; none before what it is made of is there."""
+    if stream.waits and s.phase is Phase.WAITING:
+        return ()
+    built = stream.build(s)
+    return (built,) if isinstance(built, dict) else built
+
+
+class Timetable:
+    """When each message is due. A late one is sent once, not made up for."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        """Args: gives the time [s]; the messages start spread over their first period."""
+        self._clock = clock
+        now = clock()
+        self._period: dict[int, float] = {}
+        self._due: dict[int, float] = {}
+        for index, stream in enumerate(STREAMS):
+            if stream.rate > 0.0:
+                self._period[stream.id] = 1.0 / stream.rate
+                spread = index / len(STREAMS) if stream.waits else 0.0
+                self._due[stream.id] = now + spread / stream.rate
+
+    def due(self) -> list[Stream]:
+        """Messages to be sent now."""
+        now = self._clock()
+        found = []
+        for message, when in self._due.items():
+            if when <= now + TOGETHER:
+                found.append(BY_ID[message])
+                after = when + self._period[message]
+                self._due[message] = after if after > now else now + self._period[message]
+        return found
+
+    def next(self) -> float:
+        """When the next message is due [s]."""
+        return min(self._due.values())
+
+    def rate(self, message: int) -> float:
+        """Of a message [Hz]; 0 = not sent."""
+        period = self._period.get(message)
+        return 1.0 / period if period else 0.0
+
+    def set_rate(self, message: int, rate: float) -> bool:
+        """Send a message at `rate` [Hz], 0 for never; whether that can be done."""
+        if message not in BY_ID or not 0.0 <= rate <= FASTEST:
+            return False
+        if message == HEARTBEAT and rate < SLOWEST_HEARTBEAT:
+            return False
+        self._period.pop(message, None)
+        self._due.pop(message, None)
+        if rate > 0.0:
+            self._period[message] = 1.0 / rate
+            self._due[message] = self._clock()
+        return True
+
+    def set_group(self, group: int, rate: float) -> None:
+        """REQUEST_DATA_STREAM: the rate of a group, or of all that have one."""
+        for stream in STREAMS:
+            every = group == dialect.MAV_DATA_STREAM_ALL and stream.rate > 0.0
+            if stream.group >= 0 and (stream.group == group or every):
+                self.set_rate(stream.id, min(rate, FASTEST))

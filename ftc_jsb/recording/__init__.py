@@ -1,0 +1,1 @@
+"""A flight as data: columns, commands, outcome, the NetCDF file."""

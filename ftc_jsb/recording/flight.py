@@ -1,0 +1,46 @@
+"""A flight: its scenario, its recording and how it ended."""
+
+from typing import Any, Literal, NamedTuple
+
+import numpy.typing as npt
+
+from ftc_jsb.recording.commands import Applied
+from ftc_jsb.scenario.schema import Scenario
+
+
+class Outcome(NamedTuple):
+    """How a flight ended, when [s], and why if it was not complete."""
+
+    status: Literal["complete", "ended", "departed", "failed", "interrupted"]
+    time: float
+    reason: str
+
+
+class Provenance(NamedTuple):
+    """With what and where a flight was flown."""
+
+    versions: dict[str, str]  # by package
+    machine: str
+
+
+class Flight(NamedTuple):
+    """A flown scenario."""
+
+    scenario: Scenario
+    record: npt.NDArray[Any]  # (rows,) of `variables.ROW`
+    outcome: Outcome
+    real_time_factor: float | None  # None for a recording that was read back
+    commands: tuple[Applied, ...] = ()  # given in flight
+    provenance: Provenance | None = None  # of a recording that was read back; None: flown here
+
+    @property
+    def row_period(self) -> float:
+        """Time between two rows [s]: a sample's, or several where the recording was thinned."""
+        if self.record.size < 2:
+            return 1.0 / self.scenario.loop.rate
+        return float(self.record["time"][1] - self.record["time"][0])
+
+    @property
+    def label(self) -> str:
+        """`<model>-<loop>`, the flight's name in reports and files."""
+        return f"{self.scenario.model}-{self.scenario.loop.name.replace(':', '.')}"

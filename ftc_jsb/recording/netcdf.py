@@ -1,0 +1,163 @@
+"""A flight as a NetCDF file, and as an xarray dataset, that holds all it takes to fly it again."""
+
+import json
+import signal
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+from pydantic import ValidationError
+
+import ftc_jsb
+from ftc_jsb.errors import RecordingError, ScenarioError
+from ftc_jsb.recording.columns import ROW, VARIABLES
+from ftc_jsb.recording.commands import commands_json, parse_commands
+from ftc_jsb.recording.flight import Flight, Outcome, Provenance
+from ftc_jsb.recording.provenance import aircraft_digest, machine, versions
+from ftc_jsb.scenario.load import parse_scenario, scenario_toml
+from ftc_jsb.typed_file import Section, first_problem
+
+if TYPE_CHECKING:
+    import xarray
+
+COMPRESSION: dict[str, Any] = {"zlib": True, "complevel": 1}
+
+
+def to_dataset(flight: Flight) -> "xarray.Dataset":
+    """Every variable along `time`, with `units` and `long_name`; the scenario in the attributes."""
+    import xarray
+
+    variables: dict[str, Any] = {}
+    for variable in VARIABLES:
+        described = {"units": variable.unit, "long_name": variable.meaning}
+        variables[variable.name] = ("time", flight.record[variable.name].copy(), described)
+    return xarray.Dataset(
+        {name: content for name, content in variables.items() if name != "time"},
+        coords={"time": variables["time"]},
+        attrs=attributes(flight),
+    )
+
+
+def attributes(flight: Flight) -> dict[str, Any]:
+    """What a recording says of itself."""
+    scenario = flight.scenario
+    return {
+        "title": scenario.title or scenario.name,
+        "source": f"ftc-jsb {ftc_jsb.__version__}",
+        "model": scenario.model,
+        "loop": scenario.loop.name,
+        "seed": scenario.seed,
+        "outer_loop_rate_hz": scenario.loop.rate,
+        "jsbsim_rate_hz": scenario.loop.rate * scenario.simulation.jsbsim_steps,
+        "scenario": scenario_toml(scenario),
+        "versions": json.dumps(versions()),
+        "machine": machine(),
+        "aircraft_digest": aircraft_digest(scenario),
+        "status": flight.outcome.status,
+        "end_time_s": flight.outcome.time,
+        "reason": flight.outcome.reason,
+        "commands": commands_json(flight.commands),
+    }
+
+
+def save(flight: Flight, path: Path) -> None:
+    """Write a flight as NetCDF 4, by way of a temporary name: a broken write leaves no recording.
+
+    Raises:
+        RecordingError: the file cannot be written.
+    """
+    part = path.with_suffix(".part")
+    try:
+        with _uninterrupted():
+            _write(flight, part)
+            part.replace(path)
+    except (OSError, RuntimeError) as error:
+        part.unlink(missing_ok=True)
+        raise RecordingError(f"{path}: cannot be written: {error}") from None
+
+
+def _write(flight: Flight, path: Path) -> None:
+    """By netCDF4 itself: xarray, which reads it as any other, takes longer to import than a flight."""
+    import netCDF4
+
+    with netCDF4.Dataset(path, "w") as file:
+        file.setncatts(attributes(flight))
+        record = flight.record[:: flight.scenario.simulation.record_every]
+        file.createDimension("time", record.size)
+        for name, unit, meaning in VARIABLES:
+            column = file.createVariable(name, float, "time", fill_value=np.nan, **COMPRESSION)
+            column.setncatts({"units": unit, "long_name": meaning})
+            column[:] = record[name]
+
+
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Ctrl-C waits while a flight is written; elsewhere than in the main thread it does anyway."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    waiting: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: waiting.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if waiting:
+        raise KeyboardInterrupt
+
+
+def attributes_of(path: Path) -> dict[str, Any]:
+    """Attributes of a recording that `load` has read."""
+    import xarray
+
+    with xarray.open_dataset(path, engine="netcdf4", decode_times=False) as dataset:
+        return dict(dataset.attrs)
+
+
+def load(path: Path) -> Flight:
+    """Read a flight back.
+
+    Raises:
+        RecordingError: not a recording of this program, or damaged.
+    """
+    import netCDF4
+
+    if not path.is_file():
+        raise RecordingError(f"{path}: no such file; expected a recording (flight.nc)")
+    try:
+        with netCDF4.Dataset(path) as file:
+            file.set_auto_mask(False)
+            found = {name: file.getncattr(name) for name in file.ncattrs()}
+            columns = {name: variable[:] for name, variable in file.variables.items()}
+    except (OSError, RuntimeError, ValueError) as error:
+        raise RecordingError(f"{path}: not a readable NetCDF file: {error}") from None
+    missing = [key for key in ("scenario", "status", "end_time_s", "reason") if key not in found]
+    missing += [name for name in ROW.names or () if name not in columns]
+    if missing:
+        raise RecordingError(f"{path}: not a recording of this program: it has no {missing[0]!r}")
+    try:
+        scenario = parse_scenario(str(found["scenario"]), str(path))
+    except ScenarioError as error:
+        raise RecordingError(f"{error} (the scenario inside the recording)") from None
+    record = np.zeros(columns["time"].size, ROW)
+    for name in ROW.names or ():
+        record[name] = columns[name]
+    try:
+        commands = parse_commands(str(found.get("commands", "[]")))
+    except ValidationError as error:
+        raise RecordingError(f"{path}: commands: {first_problem(error, Section)}") from None
+    status = cast(Any, found["status"])
+    outcome = Outcome(status, float(found["end_time_s"]), str(found["reason"]))
+    return Flight(scenario, record, outcome, None, commands, _provenance(found))
+
+
+def _provenance(attributes: dict[Any, Any]) -> Provenance:
+    """As the recording says; an older one does not name the machine."""
+    try:
+        found = {str(k): str(v) for k, v in json.loads(str(attributes["versions"])).items()}
+    except (KeyError, ValueError, AttributeError):
+        found = {}
+    return Provenance(found, str(attributes.get("machine", "machine not recorded")))

@@ -1,0 +1,147 @@
+"""The series behind the charts: computed at every sample in float64, then thinned and packed as float32."""
+
+import base64
+import math
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.analysis.command_following import AXES, command_and_answer
+from ftc_jsb.analysis.filter_health import ACCELERATION, MEASURED, SIGMAS, whitened
+from ftc_jsb.analysis.limits import tracking_errors
+from ftc_jsb.analysis.metrics import unobservable
+from ftc_jsb.analysis.validity import MOTION, apart
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.fault_marks import fault_times
+from ftc_jsb.report.findings import Findings
+from ftc_jsb.report.flight_groups import model_pairs
+from ftc_jsb.vocabulary.channels import CHANNELS
+
+Array = npt.NDArray[np.float64]
+Columns = dict[str, Array]
+
+MOST_POINTS = 3000  # of a flight, evenly spaced
+ALL_POINTS = 18_000  # of all flights together: six full ones, 4 MB on the page
+CLOSE = 1.0  # [s] before and after a fault in which no sample is left out
+LEAST_NIS = 1e-3  # below, a NIS is shown at this value: its axis is logarithmic
+
+
+class Series(NamedTuple):
+    """What is drawn of a flight."""
+
+    columns: dict[str, str]  # base64 of little-endian float32
+    every: int  # one sample of so many is kept
+
+
+def flight_series(flights: Mapping[str, Flight], findings: Findings) -> dict[str, Series]:
+    """Series of each flight; those of pairs are with the point mass.
+
+    All columns of a flight share one time axis: every n-th sample, every sample near a fault, and
+    the samples at which a column has its extremes. So a peak in a table is there in the chart.
+    """
+    points = max(min(MOST_POINTS, ALL_POINTS // len(flights)), 200)
+    partners = dict(model_pairs(flights))
+    found = {}
+    for label, flight in flights.items():
+        columns = _columns(flight) | _findings(label, flight, findings)
+        if label in partners:
+            columns |= _differences(flight, flights[partners[label]])
+        columns = {name: values for name, values in columns.items() if np.isfinite(values).any()}
+        every = max(math.ceil(flight.record.size / points), 1)
+        rows = _kept(flight, columns, every)
+        found[label] = Series({n: _packed(values[rows]) for n, values in columns.items()}, every)
+    return found
+
+
+def _columns(flight: Flight) -> Columns:
+    """What the recording itself holds, in the units of the charts."""
+    r = flight.record
+    columns: Columns = {
+        "time": r["time"],
+        "north": r["north"] / 1e3,
+        "east": r["east"] / 1e3,
+        "altitude": r["altitude"] / 1e3,
+        "airspeed": r["airspeed"],
+        "flight_path": np.degrees(r["flight_path_angle"]),
+        "heading": np.degrees(r["heading"]),
+        "airspeed_ref": r["airspeed_ref"],
+        "flight_path_ref": np.degrees(r["flight_path_angle_ref"]),
+        "heading_ref": np.degrees(r["heading_ref"]),
+        **tracking_errors(r),
+        "thrust_command": r["thrust_cmd"] / 1e3,
+        "detector": r["fault_statistic"],
+        "declared": np.where(r["fault_declared"] > 0.5, r["fault_statistic"], np.nan),
+        "nis": np.maximum(r["innovation_squared"], LEAST_NIS),
+    }
+    for axis in AXES:
+        command, answer = command_and_answer(flight, axis)
+        columns[f"{axis.name}_wanted"], columns[f"{axis.name}_flown"] = command, answer
+    for name in (*MEASURED, ACCELERATION):
+        columns[f"innovation_{name}"] = whitened(r, name)
+    for channel in CHANNELS:
+        columns |= _effectiveness(flight, channel)
+    return columns
+
+
+def _effectiveness(flight: Flight, channel: Any) -> Columns:
+    r, name = flight.record, f"effectiveness_{channel}"
+    estimate, deviation = r[f"{name}_est"], r[f"{name}_std"]
+    columns = {
+        f"{name}_true": r[name],
+        f"{name}_estimate": estimate,
+        f"{name}_low": estimate - SIGMAS * deviation,
+        f"{name}_high": estimate + SIGMAS * deviation,
+        f"{name}_error": estimate - r[name],
+        f"{name}_error_low": -SIGMAS * deviation,
+        f"{name}_error_high": SIGMAS * deviation,
+        f"{name}_deviation": deviation,
+    }
+    if channel in flight.scenario.loop.estimator.channels:
+        columns[f"{name}_lost"] = np.where(unobservable(flight, channel), deviation, np.nan)
+    return columns
+
+
+def _findings(label: str, flight: Flight, findings: Findings) -> Columns:
+    columns: Columns = {}
+    if label in findings.residuals:
+        for name, values in findings.residuals[label]._asdict().items():
+            columns[f"residual_{name}"] = values / 1e3
+    if label in findings.theory:
+        theory = findings.theory[label]
+        columns["lyapunov"], columns["lyapunov_bound"] = theory.value, theory.bound
+        columns["scaled_error"] = theory.error
+        columns["ball"] = np.full(flight.record.size, theory.radius)
+    return columns
+
+
+def _differences(point_mass: Flight, six_dof: Flight) -> Columns:
+    """Point mass minus JSBSim on the point mass's samples; nan where only one flew."""
+    count = min(point_mass.record.size, six_dof.record.size)
+    columns: Columns = {}
+    for variable in MOTION:
+        values = np.full(point_mass.record.size, np.nan)
+        one, other = (flight.record[variable.name][:count] for flight in (point_mass, six_dof))
+        values[:count] = variable.factor * (one - other)
+        columns[f"difference_{variable.name}"] = values
+    distance = np.full(point_mass.record.size, np.nan)
+    distance[:count] = apart(point_mass, six_dof)
+    columns["difference_position"] = distance
+    return columns
+
+
+def _kept(flight: Flight, columns: Columns, every: int) -> npt.NDArray[np.int64]:
+    """Rows that are shown."""
+    rows = flight.record.size
+    keep = np.zeros(rows, dtype=bool)
+    keep[::every] = keep[-1] = True
+    for time in fault_times(flight):
+        keep |= np.abs(flight.record["time"] - time) <= CLOSE
+    for values in columns.values():
+        keep[np.nanargmin(values)] = keep[np.nanargmax(values)] = True
+    return np.flatnonzero(keep)
+
+
+def _packed(values: Array) -> str:
+    return base64.b64encode(values.astype("<f4").tobytes()).decode("ascii")

@@ -1,0 +1,58 @@
+"""Margins that `ftc-jsb margins` measured, beside the flights that they belong to."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from ftc_jsb.analysis.metrics import Metrics
+from ftc_jsb.errors import RecordingError
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.resources import PAPER_AIRCRAFT
+
+MEASURED = {  # in a report: in margins.json
+    "gain_margin_db": "gain_margin_inserted_db",
+    "phase_margin_deg": "phase_margin_deg",
+    "delay_margin_s": "delay_margin_inserted_s",
+}
+
+
+class KnownMargins(NamedTuple):
+    """The least margins over the inputs of one aircraft, model and loop."""
+
+    aircraft: str
+    model: str
+    loop: str
+    least: Metrics
+
+
+def read_margins(path: Path) -> KnownMargins:
+    """Read a `margins.json`.
+
+    Raises:
+        RecordingError: no such file, or not what `ftc-jsb margins` writes.
+    """
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+        channels = list(document["channels"].values())
+        least = {
+            name: min((c[key] for c in channels if c[key] is not None), default=None)
+            for name, key in MEASURED.items()
+        }
+        return KnownMargins(document["aircraft"], document["model"], document["loop"], least)
+    except OSError as error:
+        raise RecordingError(f"--margins {path}: cannot be read: {error.strerror}") from None
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise RecordingError(
+            f"--margins {path}: expected a margins.json that `ftc-jsb margins` wrote"
+        ) from None
+
+
+def margins_of(flight: Flight, known: Sequence[KnownMargins]) -> Metrics:
+    """Those of the flight's aircraft, model and loop; nothing where none were measured."""
+    scenario = flight.scenario
+    name = PAPER_AIRCRAFT if scenario.model == "paper" else scenario.aircraft.name
+    for each in known:
+        if (each.aircraft, each.model, each.loop) == (name, scenario.model, scenario.loop.name):
+            return each.least
+    return {}

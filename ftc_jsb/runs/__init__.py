@@ -1,0 +1,1 @@
+"""What a command does around flights: folders, saving as it goes, checking, listing."""

@@ -1,0 +1,111 @@
+"""What a flight is made of: aircraft, plant, loop, command filter, sensors, and a blank recording."""
+
+import math
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ftc_jsb.aircraft.point_mass_file import PointMass, load_point_mass
+from ftc_jsb.control.command_filter import command_filter
+from ftc_jsb.control.protocol import LoopSetup
+from ftc_jsb.disturbance.faults import fault_records, schedule
+from ftc_jsb.disturbance.sensors import Senses, sensor_record
+from ftc_jsb.disturbance.weather import wind_record
+from ftc_jsb.loops.registry import RecordedLoop, build_loop
+from ftc_jsb.recording.columns import ROW, numbers
+from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
+from ftc_jsb.scenario.reference import raw_commands
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.plant import Plant
+
+
+class Parts(NamedTuple):
+    """What a flight is made of, at rest at its start."""
+
+    plant: Plant
+    loop: RecordedLoop
+    filters: npt.NDArray[Any]  # (1,) COMMAND_FILTER
+    senses: Senses
+    setup: LoopSetup
+    model: npt.NDArray[Any]  # (1,) MODEL that the loop counts on
+
+
+def parts(
+    scenario: Scenario,
+    aircraft: PointMass,
+    record: npt.NDArray[Any],
+    plant: Plant | None = None,
+    output: Path | None = None,
+) -> Parts:
+    """Plant, loop, command filter and sensors of a scenario, bound to a blank recording.
+
+    Args:
+        scenario: to be flown.
+        aircraft: of `point_mass_of`.
+        record: of `blank_recording`.
+        plant: in place of the model's own.
+        output: as `fly` takes it.
+
+    Raises:
+        UserError: one of them cannot be had.
+    """
+    fuel = scenario.aircraft.fuel_fraction
+    model = aircraft.record(fuel)
+    dt = 1.0 / scenario.loop.rate
+    if plant is None:
+        plant = build_plant(scenario, model, dt, output)
+    setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
+    first = [record[0][f"{name}_cmd_raw"] for name in ("airspeed", "flight_path_angle", "heading")]
+    reference = scenario.reference
+    start = (0.0, 0.0, scenario.initial.altitude)
+    filters = command_filter(reference.filter_frequency, reference.filter_damping, dt, first, start)
+    loop = build_loop(setup, model, record)
+    plant.reset(record)
+    faults = fault_records(scenario.fault)
+    senses = Senses(sensor_record(scenario, record), faults, record, numbers(record))
+    return Parts(plant, loop, filters, senses, setup, model)
+
+
+def point_mass_of(scenario: Scenario) -> PointMass:
+    """The point mass that the outer loop of this scenario counts on.
+
+    Raises:
+        AircraftError: no such aircraft.
+    """
+    name = PAPER_AIRCRAFT if scenario.model == "paper" else scenario.aircraft.name
+    return load_point_mass(aircraft_folder(name))
+
+
+def build_plant(
+    scenario: Scenario, model: npt.NDArray[Any], dt: float, output: Path | None = None
+) -> Plant:
+    """The plant of `scenario.model`; an output directive is for JSBSim."""
+    simulation = scenario.simulation
+    if scenario.model == "jsbsim":
+        from ftc_jsb.six_dof.plant import JsbsimPlant
+
+        steps, air, seed = simulation.jsbsim_steps, scenario.wind, scenario.seed
+        return JsbsimPlant(scenario.aircraft, scenario.initial, dt, steps, air, seed, output)
+    from ftc_jsb.simulation.point_mass_plant import PointMassPlant
+
+    wind = wind_record(scenario.wind, scenario.initial.altitude, scenario.seed, dryden=True)
+    return PointMassPlant(model, wind, scenario.initial, dt, simulation.point_mass_steps)
+
+
+def blank_recording(scenario: Scenario, engines: int = 1) -> npt.NDArray[Any]:
+    """Recording with time, raw commands and faults filled in, the rest nan.
+
+    (rows,) of ROW: one row a sample and one for the end. What is scheduled, commands and faults,
+    stands in the recording before the flight; whoever changes it in flight rewrites the rows to come.
+    """
+    record = np.empty(scenario.samples + 1, ROW)
+    numbers(record).fill(math.nan)
+    record["time"] = np.arange(record.size) / scenario.loop.rate
+    commands = raw_commands(scenario.reference, record["time"])
+    record["airspeed_cmd_raw"] = commands[:, 0]
+    record["flight_path_angle_cmd_raw"] = commands[:, 1]
+    record["heading_cmd_raw"] = commands[:, 2]
+    schedule(fault_records(scenario.fault), engines, record)
+    return record

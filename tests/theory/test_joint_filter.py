@@ -1,0 +1,79 @@
+"""The filter for any system against the augmented form as printed: linear and nonlinear outputs."""
+
+import numpy as np
+import pytest
+
+from ftc_jsb.estimation.augmented import augmented_step
+from ftc_jsb.theory.generated import generate
+from ftc_jsb.theory.joint_filter import make_filter, make_propagate
+from ftc_jsb.theory.linearization import linearize
+from ftc_jsb.theory.system import System
+from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity
+
+DT = 0.01
+
+
+def compare(system: System, start: np.ndarray, q: np.ndarray, r: np.ndarray, observe):
+    """Largest differences, in standard deviations, of 200 steps of both forms from the same start."""
+    kernels = generate(linearize(system))
+    n = len(start)
+    step = make_filter(kernels, n, 3, 3)
+    propagate = make_propagate(kernels)
+    scratch = np.zeros((5, n))
+    p = kernels.parameters
+    random = np.random.default_rng(5)
+    truth = start.copy()
+    z, cov = np.concatenate([start, np.ones(3)]), np.diag(np.concatenate([q[:n] * 1e4, [1e-4] * 3]))
+    worst = 0.0
+
+    def process(point):
+        x = point[:n].copy()
+        propagate(x, u, point[n:], p, DT, scratch)
+        return np.concatenate([x, point[n:]])
+
+    for i in range(200):
+        u = np.array([60e3, 1.5 + 0.5 * np.sin(0.1 * i), 0.6 * np.sin(0.05 * i)])
+        propagate(truth, u, np.array([0.8, 1.0, 1.0]), p, DT, scratch)
+        y = observe(truth) + random.standard_normal(3) * np.sqrt(r)
+        x_aug, cov_aug = augmented_step(process, observe, z, cov, np.diag(q), np.diag(r), y)
+        step(z, cov, u, y, p, q, r, 3.0, 0.0, DT)
+        deviation = np.sqrt(np.diag(cov_aug))
+        worst = max(worst, np.abs((z - x_aug) / deviation).max())
+    return worst
+
+
+def test_both_forms_are_equal_for_linear_outputs():
+    """Fighter, y = x: equal to rounding, 1e-6 standard deviations."""
+    q = np.array([1e-6, 1e-10, 1e-10, 1e-8, 1e-8, 1e-8])
+    r = np.array([1e-4, 1e-8, 1e-8])
+    worst = compare(fighter_by_velocity(), np.array([300.0, 0.0, 0.0]), q, r, lambda x: x[:3])
+    assert worst < 1e-6
+
+
+def test_forms_differ_little_for_nonlinear_outputs():
+    """Fighter, measured by range, and two bearings from the origin: they differ, by less than 0.1 sigma."""
+    import sympy as sp
+
+    base = fighter_by_position()
+    north, east, up = base.outputs
+    distance = sp.sqrt(north**2 + east**2 + up**2)
+    seen = (distance, sp.atan2(east, north), up / distance)
+    system = System(
+        "fighter_by_radar", base.states, base.inputs, base.parameters, base.dynamics, seen
+    )
+
+    def observe(x):
+        distance = np.sqrt(x[3] ** 2 + x[4] ** 2 + x[5] ** 2)
+        return np.array([distance, np.arctan2(x[4], x[3]), x[5] / distance])
+
+    q = np.array([1e-4, 1e-6, 1e-6, 1e-2, 1e-2, 1e-2, 1e-8, 1e-8, 1e-8])
+    start = np.array([300.0, 0.1, 0.2, 800.0, 300.0, 700.0])
+    worst = compare(system, start, q, np.array([1.0, 1e-4, 1e-4]), observe)
+    assert 1e-9 < worst < 0.1
+
+
+def test_position_outputs_are_linear_in_the_state_and_so_equal():
+    q = np.array([1e-6, 1e-10, 1e-10, 1e-4, 1e-4, 1e-4, 1e-8, 1e-8, 1e-8])
+    start = np.array([300.0, 0.0, 0.0, 0.0, 0.0, 3048.0])
+    worst = compare(fighter_by_position(), start, q, np.array([1e-2] * 3), lambda x: x[3:6])
+    assert worst == pytest.approx(0.0, abs=1e-6)

@@ -1,0 +1,1 @@
+"""Long flights and many flights: what docs/validation.md reports. `make validate` runs it."""
