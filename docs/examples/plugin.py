@@ -4,7 +4,7 @@ from math import degrees, radians
 
 import jsbsim
 
-from ftc_jsb.plugin.outer_loop import OuterLoop, load_woven
+from ftc_jsb.plugin import OuterLoop, load_woven
 
 fdm = jsbsim.FGFDMExec(None)  # yours, and so is all that follows but three lines
 load_woven(fdm, "f16", 1.0 / 200.0)  # the aircraft with its inner loop; time step [s]

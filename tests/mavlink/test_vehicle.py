@@ -286,7 +286,7 @@ def test_endpoints_are_read_and_bad_ones_refused():
 
 
 def test_silent_udp_peer_is_no_longer_sent_to(monkeypatch):
-    monkeypatch.setattr("ftc_jsb.mavlink.link.link.transport.SILENCE", 0.5)
+    monkeypatch.setattr("ftc_jsb.mavlink.link.transport.SILENCE", 0.5)
     with aloft() as up:
         ground = Ground(up.port)
         ground.wait_for("ATTITUDE")

@@ -10,7 +10,7 @@ import pytest
 
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.errors import AircraftError, LoopError
-from ftc_jsb.plugin.outer_loop import OuterLoop, load_woven, woven_root
+from ftc_jsb.plugin import OuterLoop, load_woven, woven_root
 from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.loop import Loop

@@ -14,6 +14,7 @@ from ftc_jsb.recording.netcdf import load, save, to_dataset
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.loop import Loop
+from ftc_jsb.simulation.command_source import CommandQueue, RecordedCommands
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.simulation.replay import differences, replay
 from ftc_jsb.simulation.steering import changed_loop
@@ -24,7 +25,7 @@ DEGREE = np.pi / 180.0
 
 def flown_with(*applied, scenario="nominal", overrides=()):
     """A flight with commands given before rows."""
-    source = c.RecordedCommands([c.Applied(row, command) for row, command in applied])
+    source = RecordedCommands([c.Applied(row, command) for row, command in applied])
     return fly(load_scenario(scenario, overrides), commands=source)
 
 
@@ -181,7 +182,7 @@ def test_difference_is_found_where_there_is_one():
 
 def test_queue_holds_the_flight_while_it_is_paused():
     """Paused before row 100; a set-point and the end of the pause come from another thread."""
-    queue = c.CommandQueue()
+    queue = CommandQueue()
     later = [c.SetAirspeed(value=310.0, rate=5.0), c.Resume()]
 
     def pause(record, i):
@@ -198,7 +199,7 @@ def test_queue_holds_the_flight_while_it_is_paused():
 
 
 def test_queue_that_nothing_comes_through_changes_nothing(flown):
-    flight = fly(load_scenario("paper"), commands=c.CommandQueue())
+    flight = fly(load_scenario("paper"), commands=CommandQueue())
     assert_same(flight, flown("paper"))
     assert flight.commands == ()
 
