@@ -8,7 +8,7 @@ import numpy.typing as npt
 from ftc_jsb.compiled import compiled
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
 from ftc_jsb.point_mass.dynamics import polar_drag
-from ftc_jsb.point_mass.model import at_condition
+from ftc_jsb.point_mass.model import at_condition, pressure_area
 
 Array = npt.NDArray[np.float64]
 
@@ -48,8 +48,7 @@ def _drag(model: Any, record: Any, polar: Any, measured: Any) -> None:
         at = at_condition(m, row.airspeed, row.altitude)
         polar[i] = polar_drag(at, row.airspeed, row.thrust, row.load_factor)[0]
         if m.measured_mach_count > 0:
-            pressure_area = 0.5 * at.density * row.airspeed * row.airspeed * m.area
-            measured[i] = pressure_area * measured_drag_coefficient(
+            measured[i] = pressure_area(at, row.airspeed) * measured_drag_coefficient(
                 m,
                 row.airspeed_meas / at.sound_speed,
                 row.alpha_meas,

@@ -1,182 +1,229 @@
 """The knowing half of the outer loop: what was flown, estimated and declared, sample by sample."""
 
 import math
-from typing import Any
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.records import ESTIMATED, NO_ESTIMATOR, TRUE, UNSCENTED
+from ftc_jsb.control.records import NO_ESTIMATOR, UNSCENTED
 from ftc_jsb.estimation.detector import detect
 from ftc_jsb.estimation.ekf import predict_extended
-from ftc_jsb.estimation.process import OUTPUTS, Forcing
+from ftc_jsb.estimation.process import OUTPUTS, Forcing, place_of_channel
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update, update_by_state
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
 from ftc_jsb.point_mass.dynamics import polar_drag
+from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.point_mass.response import lag_step
-from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed
+from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
+from ftc_jsb.vocabulary.channels import BANK_ANGLE, LOAD_FACTOR, THRUST
+from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
 
 
 @compiled
-def sensed(m: Any, x: Any, at: Any, row: Any) -> tuple[float, float, float, float]:
-    """Measured drag coefficient, alpha, load factor and bank; nan where there is none."""
-    coefficient = math.nan
-    if m.measured_mach_count > 0:
-        coefficient = measured_drag_coefficient(
-            m,
-            x.seen[0] / at.sound_speed,
-            row.alpha_meas,
-            row.sideslip_meas,
-            row.elevator_meas,
-            row.flap_meas,
-            row.pitch_rate_meas / x.seen[0],
-        )
-    return coefficient, row.alpha_meas, row.load_factor_meas, row.bank_angle_meas
+def start_observer(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row: Row) -> None:
+    """A healthy engine at trim, the known state as the first estimate, nothing declared."""
+    o = x.observer
+    o.trim_thrust = x.trim[0]
+    o.rotor_speed = rotor_speed_target(at, x.trim[0])
+    o.thrust = healthy_thrust(at, o.rotor_speed, x.trim[0])
+    o.drag_coefficient = _measured_drag_coefficient(m, x, at, row)
+    o.alpha, o.load_factor, o.bank_angle = row.alpha_meas, row.load_factor_meas, row.bank_angle_meas
+    f = o.filter
+    f.rejected = 0
+    f.nis = math.nan  # nothing is predicted before the first sample
+    for k in range(OUTPUTS):
+        f.innovation[k] = math.nan
+        f.innovation_covariance[k, k] = math.nan
+    for a in range(f.count):
+        f.estimate[a] = x.known.state[a] if a < OUTPUTS else 1.0
+        for b in range(f.count):
+            f.covariance[a, b] = 0.0
+        f.covariance[a, a] = s.initial_covariance[a]
+    o.acceleration_innovation, o.acceleration_innovation_std = math.nan, math.nan
+    o.detector.declared = 0
+    o.detector.elapsed = 0.0
 
 
 @compiled
-def estimates_channel(f: Any, channel: int) -> bool:
-    """Whether a FILTER record estimates a channel (0 thrust, 1 load factor, 2 bank angle)."""
-    for a in range(f.count - OUTPUTS):
-        if f.channel[a] == channel:
-            return True
-    return False
+def observe(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row: Row) -> None:
+    """Predict over the sample that has passed and correct by what is measured now."""
+    _set_process_noise(s, m, x)
+    forcing = _forcing_of_sample(s, m, x, at, row)
+    if s.estimator == NO_ESTIMATOR:
+        return
+    o = x.observer
+    if s.estimator == UNSCENTED:
+        predict_unscented(o.filter, at, forcing, o.process_noise, s.spread, s.dt)
+    else:
+        predict_extended(o.filter, at, forcing, o.process_noise, s.dt)
+    floor = s.effectiveness_floor if s.bounded == 1 else 0.0
+    update(o.filter, x.known.measurement, s.measurement_noise, s.gate, s.gate_patience, floor)
+    if s.acceleration_noise > 0.0:
+        _update_by_acceleration(s, m, x, at, row, floor)
 
 
 @compiled
-def _acting(m: Any, x: Any, axis: int, measured: float, dt: float) -> float:
-    """Load factor (axis 0) or bank (1) that acted over the sample, as the process model takes it.
+def _set_process_noise(s: LoopSettings, m: ModelRecord, x: LoopState) -> None:
+    """Q of this sample: settings may be changed in flight."""
+    o = x.observer
+    for a in range(o.filter.count):
+        o.process_noise[a] = s.process_noise[a]
+        if a >= OUTPUTS and s.response_time > 0.0:
+            o.process_noise[a] = _effectiveness_noise(s, m, o.trim_thrust)
+
+
+@compiled
+def _effectiveness_noise(s: LoopSettings, m: ModelRecord, trim_thrust: float) -> float:
+    """Q of an effectiveness that lets the filter follow a loss in `response_time`.
+
+    A random walk of variance q a step, seen each step with variance r, is followed by the steady
+    Kalman filter with the gain sqrt(q / r), that is in the time dt sqrt(r / q). r is that of the
+    force along the velocity over the thrust of trim; without the accelerometer it is that of the
+    airspeed's change over the response time.
+    """
+    noise = s.acceleration_noise
+    if noise == 0.0:
+        steps = s.response_time / s.dt
+        noise = (s.process_noise[0] * steps + 2.0 * s.measurement_noise[0]) / s.response_time**2
+        noise *= steps
+    r = noise * (m.mass / max(trim_thrust, 0.1 * m.mass * m.gravity)) ** 2
+    return float(r * (s.dt / s.response_time) ** 2)
+
+
+@compiled
+def _forcing_of_sample(
+    s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row: Row
+) -> Forcing:
+    """What acted over the sample that has passed: means of its start and its end."""
+    o = x.observer
+    thrust = _healthy_thrust_of_sample(s, m, x, at)
+    drag_coefficient = _measured_drag_coefficient(m, x, at, row)
+    mean_drag = 0.5 * (o.drag_coefficient + drag_coefficient)
+    mean_alpha = 0.5 * (o.alpha + row.alpha_meas)
+    mean_load_factor = 0.5 * (o.load_factor + row.load_factor_meas)
+    mean_bank_angle = 0.5 * (o.bank_angle + row.bank_angle_meas)
+    load_factor = _acting(m, x, LOAD_FACTOR, mean_load_factor, s.dt)
+    bank_angle = _acting(m, x, BANK_ANGLE, mean_bank_angle, s.dt)
+    o.drag_coefficient, o.alpha = drag_coefficient, row.alpha_meas
+    o.load_factor, o.bank_angle = row.load_factor_meas, row.bank_angle_meas
+    measured = math.isfinite(mean_drag)
+    return Forcing(thrust, load_factor, bank_angle, measured, mean_drag, mean_alpha)
+
+
+@compiled
+def _healthy_thrust_of_sample(
+    s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition
+) -> float:
+    """Thrust [N] that a healthy engine gave over the sample, on the average."""
+    o = x.observer
+    thrust = float(x.demand[0])
+    if m.spool_up[0] > 0.0:
+        o.rotor_speed = next_rotor_speed(m, at, o.rotor_speed, x.demand[0], s.dt)
+        now = healthy_thrust(at, o.rotor_speed, x.demand[0])
+        thrust = 0.5 * (o.thrust + now)
+        o.thrust = now
+    else:
+        o.thrust = thrust
+    return thrust
+
+
+@compiled
+def _measured_drag_coefficient(m: ModelRecord, x: LoopState, at: Condition, row: Row) -> float:
+    """Drag coefficient of the measured angles, surfaces and pitch rate; nan where there is none."""
+    if m.measured_mach_count == 0:
+        return math.nan
+    airspeed = x.known.state[0]
+    return measured_drag_coefficient(
+        m,
+        airspeed / at.sound_speed,
+        row.alpha_meas,
+        row.sideslip_meas,
+        row.elevator_meas,
+        row.flap_meas,
+        row.pitch_rate_meas / airspeed,
+    )
+
+
+@compiled
+def _acting(m: ModelRecord, x: LoopState, channel: int, measured: float, dt: float) -> float:
+    """Load factor or bank that acted over the sample, as the process model takes it.
 
     At once what was demanded, where the aircraft has no lag (the paper's). Else what is measured; but
     where the channel's own effectiveness is estimated, that would hide the loss: then the response of a
     healthy inner loop to the commands, which the filter multiplies by its estimate.
     """
+    axis = channel - LOAD_FACTOR
     if m.response_frequency[axis] == 0.0:
-        return float(x.demand[1 + axis])
-    before = x.response[axis, 0]
-    rate_max = m.bank_rate_max if axis == 1 else 0.0
-    acceleration_max = m.bank_acceleration_max if axis == 1 else 0.0
-    x.response[axis, 0], x.response[axis, 1] = lag_step(
+        return float(x.demand[channel])
+    lag = x.inner_loop
+    before = lag.response[axis, 0]
+    rate_max = m.bank_rate_max if channel == BANK_ANGLE else 0.0
+    acceleration_max = m.bank_acceleration_max if channel == BANK_ANGLE else 0.0
+    lag.response[axis, 0], lag.response[axis, 1] = lag_step(
         before,
-        x.response[axis, 1],
-        x.command[axis],
+        lag.response[axis, 1],
+        lag.command[axis],
         m.response_frequency[axis],
         m.response_damping[axis],
         rate_max,
         acceleration_max,
         dt,
     )
-    if estimates_channel(x.filter, 1 + axis) or not math.isfinite(measured):
-        return float(0.5 * (before + x.response[axis, 0]))
+    if place_of_channel(x.observer.filter, channel) >= 0 or not math.isfinite(measured):
+        return float(0.5 * (before + lag.response[axis, 0]))
     return measured
 
 
 @compiled
-def estimate(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
-    """Predict over the sample that has passed and correct by what is measured now."""
-    thrust = x.demand[0]
-    if m.spool_up[0] > 0.0:
-        x.rotor_speed = next_rotor_speed(m, at, x.rotor_speed, x.demand[0], s.dt)
-        now = healthy_thrust(at, x.rotor_speed, x.demand[0])
-        thrust = 0.5 * (x.thrust + now)
-        x.thrust = now
-    else:
-        x.thrust = thrust
-    drag_coefficient, alpha, load_factor, bank_angle = sensed(m, x, at, row)
-    mean_drag = 0.5 * (x.drag_coefficient + drag_coefficient)
-    mean_alpha = 0.5 * (x.alpha + alpha)
-    acting_load_factor = _acting(m, x, 0, 0.5 * (x.load_factor + load_factor), s.dt)
-    acting_bank_angle = _acting(m, x, 1, 0.5 * (x.bank_angle + bank_angle), s.dt)
-    x.drag_coefficient, x.alpha = drag_coefficient, alpha
-    x.load_factor, x.bank_angle = load_factor, bank_angle
-    if s.estimator == NO_ESTIMATOR:
-        return
-    forcing = Forcing(
-        thrust,
-        acting_load_factor,
-        acting_bank_angle,
-        math.isfinite(mean_drag),
-        mean_drag,
-        mean_alpha,
-    )
-    if s.estimator == UNSCENTED:
-        predict_unscented(x.filter, at, forcing, x.process_noise, s.spread, s.dt)
-    else:
-        predict_extended(x.filter, at, forcing, x.process_noise, s.dt)
-    floor = s.effectiveness_floor if s.bounded == 1 else 0.0
-    update(x.filter, x.measurement, s.measurement_noise, s.gate, s.gate_patience, floor)
-    if s.acceleration_noise > 0.0:
-        _weigh_acceleration(s, m, x, at, row, drag_coefficient, alpha, load_factor, floor)
-
-
-@compiled
-def _weigh_acceleration(
-    s: Any,
-    m: Any,
-    x: Any,
-    at: Any,
-    row: Any,
-    drag_coefficient: float,
-    alpha: float,
-    load_factor: float,
-    floor: float,
+def _update_by_acceleration(
+    s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row: Row, floor: float
 ) -> None:
     """Correct by the force along the velocity: k T cos(alpha) - D over the mass.
 
     The accelerometers feel thrust and drag and not the gust that moves the airspeed, so that in
     turbulence they tell of the thrust what the airspeed cannot.
     """
-    x.acceleration_innovation, x.acceleration_innovation_std = math.nan, math.nan
-    airspeed = x.filter.estimate[0]
-    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
-    if not math.isfinite(drag_coefficient):  # no measured drag: the polar's, at the measured n
-        alpha, load = 0.0, load_factor if math.isfinite(load_factor) else x.demand[1]
-        drag, alpha = polar_drag(at, airspeed, x.thrust, load)
-    else:
-        drag = pressure_area * drag_coefficient
-    slope = x.thrust * math.cos(alpha) / m.mass  # of the acceleration, per effectiveness
+    o = x.observer
+    o.acceleration_innovation, o.acceleration_innovation_std = math.nan, math.nan
+    airspeed = o.filter.estimate[0]
+    if math.isfinite(o.drag_coefficient):
+        drag, alpha = pressure_area(at, airspeed) * o.drag_coefficient, o.alpha
+    else:  # no measured drag: the polar's, at the measured n
+        load = o.load_factor if math.isfinite(o.load_factor) else x.demand[1]
+        drag, alpha = polar_drag(at, airspeed, o.thrust, load)
+    slope = o.thrust * math.cos(alpha) / m.mass  # of the acceleration, per effectiveness
     if not math.isfinite(row.acceleration_meas + slope + drag):
         return
-    effectiveness, place = 1.0, -1
-    for a in range(x.filter.count - OUTPUTS):
-        if x.filter.channel[a] == 0:
-            place = OUTPUTS + a
-            effectiveness = x.filter.estimate[place]
-    x.acceleration_innovation = row.acceleration_meas - (effectiveness * slope - drag / m.mass)
-    if place < 0:
-        return
-    x.acceleration_innovation_std = update_by_state(
-        x.filter, place, slope, x.acceleration_innovation, s.acceleration_noise, floor
-    )
+    place = place_of_channel(o.filter, THRUST)
+    effectiveness = o.filter.estimate[place] if place >= 0 else 1.0
+    o.acceleration_innovation = row.acceleration_meas - (effectiveness * slope - drag / m.mass)
+    if place >= 0:
+        o.acceleration_innovation_std = update_by_state(
+            o.filter, place, slope, o.acceleration_innovation, s.acceleration_noise, floor
+        )
 
 
 @compiled
-def _outside(m: Any, x: Any, at: Any, row: Any) -> bool:
-    """Whether Mach number, altitude or lift coefficient are outside the range of the fit."""
-    if m.valid_mach[1] == 0.0:
-        return False
-    mach = x.seen[0] / at.sound_speed
-    pressure_area = 0.5 * at.density * x.seen[0] * x.seen[0] * m.area
-    load_factor = row.load_factor_meas if math.isfinite(row.load_factor_meas) else x.demand[1]
-    lift = load_factor * m.mass * m.gravity / pressure_area
-    return bool(
-        mach < m.valid_mach[0]
-        or mach > m.valid_mach[1]
-        or lift < m.valid_lift[0]
-        or lift > m.valid_lift[1]
-        or x.altitude < m.valid_altitude[0]
-        or x.altitude > m.valid_altitude[1]
-    )
-
-
-@compiled
-def report(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
+def record_estimates(
+    s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row: Row
+) -> None:
     """Write estimates, innovations and the detector's verdict; nan where nothing estimates."""
-    row.thrust_model = x.thrust
-    row.outside_range = 1.0 if _outside(m, x, at, row) else 0.0
+    o = x.observer
+    row.thrust_model = o.thrust
+    row.outside_range = 1.0 if _outside_range(m, x, at, row) else 0.0
     row.fault_declared = 0.0
     if s.estimator == NO_ESTIMATOR:
         return
-    f = x.filter
+    _record_state(x, row)
+    if s.acceleration_noise > 0.0:
+        row.acceleration_innovation = o.acceleration_innovation
+        row.acceleration_innovation_std = o.acceleration_innovation_std
+    _record_effectiveness(s, x, row)
+
+
+@compiled
+def _record_state(x: LoopState, row: Row) -> None:
+    """Estimates of airspeed, flight path angle and heading, and their innovations."""
+    f = x.observer.filter
     row.airspeed_est = f.estimate[0]
     row.flight_path_angle_est = f.estimate[1]
     row.heading_est = f.estimate[2]
@@ -190,18 +237,22 @@ def report(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
     row.flight_path_angle_innovation_std = math.sqrt(f.innovation_covariance[1, 1])
     row.heading_innovation_std = math.sqrt(f.innovation_covariance[2, 2])
     row.innovation_squared = f.nis
-    if s.acceleration_noise > 0.0:
-        row.acceleration_innovation = x.acceleration_innovation
-        row.acceleration_innovation_std = x.acceleration_innovation_std
+
+
+@compiled
+def _record_effectiveness(s: LoopSettings, x: LoopState, row: Row) -> None:
+    """Estimates of the effectiveness, and what the detector makes of the thrust's."""
+    o = x.observer
+    f = o.filter
     statistic = 0.0
     for a in range(f.count - OUTPUTS):
         estimate = f.estimate[OUTPUTS + a]
         deviation = math.sqrt(f.covariance[OUTPUTS + a, OUTPUTS + a])
-        if f.channel[a] == 0:
+        if f.channel[a] == THRUST:
             row.effectiveness_thrust_est = estimate
             row.effectiveness_thrust_std = deviation
             statistic = detect(
-                x.detector,
+                o.detector,
                 estimate,
                 deviation,
                 s.detector_margin,
@@ -209,34 +260,30 @@ def report(s: Any, m: Any, x: Any, at: Any, row: Any) -> None:
                 s.detector_hold,
                 s.dt,
             )
-        elif f.channel[a] == 1:
+        elif f.channel[a] == LOAD_FACTOR:
             row.effectiveness_load_factor_est = estimate
             row.effectiveness_load_factor_std = deviation
         else:
             row.effectiveness_bank_angle_est = estimate
             row.effectiveness_bank_angle_std = deviation
     row.fault_statistic = statistic
-    row.fault_declared = float(x.detector.declared)
+    row.fault_declared = float(o.detector.declared)
 
 
 @compiled
-def law_effectiveness(s: Any, x: Any, row: Any) -> tuple[float, float, float]:
-    """What the law divides by, never below sigma."""
-    thrust, load_factor, bank_angle = 1.0, 1.0, 1.0
-    if s.effectiveness == ESTIMATED:
-        for a in range(x.filter.count - OUTPUTS):
-            value = x.filter.estimate[OUTPUTS + a]
-            if x.filter.channel[a] == 0:
-                thrust = value
-            elif x.filter.channel[a] == 1:
-                load_factor = value
-            else:
-                bank_angle = value
-    elif s.effectiveness == TRUE:
-        thrust = row.effectiveness_thrust
-        load_factor = row.effectiveness_load_factor
-        bank_angle = row.effectiveness_bank_angle
-        if not math.isfinite(thrust):  # the truth of a stuck throttle cannot be told
-            thrust = 1.0
-    floor = s.effectiveness_floor
-    return max(thrust, floor), max(load_factor, floor), max(bank_angle, floor)
+def _outside_range(m: ModelRecord, x: LoopState, at: Condition, row: Row) -> bool:
+    """Whether Mach number, altitude or lift coefficient are outside the range of the fit."""
+    if m.valid_mach[1] == 0.0:
+        return False
+    airspeed, altitude = x.known.state[0], x.known.altitude
+    mach = airspeed / at.sound_speed
+    load_factor = row.load_factor_meas if math.isfinite(row.load_factor_meas) else x.demand[1]
+    lift = load_factor * m.mass * m.gravity / pressure_area(at, airspeed)
+    return bool(
+        mach < m.valid_mach[0]
+        or mach > m.valid_mach[1]
+        or lift < m.valid_lift[0]
+        or lift > m.valid_lift[1]
+        or altitude < m.valid_altitude[0]
+        or altitude > m.valid_altitude[1]
+    )

@@ -11,8 +11,10 @@ import math
 from typing import Any
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.law import Rates
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import Condition
+from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, Row
 
 GIVING_UP = 0.5  # [s], lag
 REGAINING = 2.0  # [s], lag: slower, since heading errors ask for more than they did before
@@ -114,3 +116,42 @@ def _turn_share(
         else:
             high = middle
     return low
+
+
+@compiled
+def put_speed_first(
+    s: LoopSettings,
+    x: LoopState,
+    at: Condition,
+    row: Row,
+    state: Any,
+    effectiveness: float,
+    wanted: Rates,
+) -> Rates:
+    """Wanted rates less what is given up for want of thrust; as they are where the settings say so.
+
+    Args:
+        s, x, at, row: settings and state of the loop, model at this condition, row of the recording.
+        state: airspeed and path angle that the law is evaluated at.
+        effectiveness: of thrust.
+        wanted: by the references and errors.
+    """
+    path_rate, heading_rate = wanted.flight_path_angle, wanted.heading
+    if s.speed_first == 1:
+        target = affordable(
+            at,
+            effectiveness * at.thrust_maximum,
+            state.airspeed,
+            state.flight_path_angle,
+            row.flight_path_angle_ref,
+            row.airspeed_ref_rate,
+            wanted.airspeed,
+            heading_rate,
+        )
+        per_g = at.gravity / state.airspeed
+        lowering = give_up(x.given_up, target, row.flight_path_angle_ref, per_g, s.dt)
+        path_rate -= lowering + s.gains[1] * x.given_up[0]
+        heading_rate -= x.given_up[1] * wanted.heading
+    row.climb_given_up = x.given_up[0]
+    row.turn_given_up = abs(x.given_up[1] * wanted.heading)
+    return Rates(wanted.airspeed, path_rate, heading_rate)

@@ -1,6 +1,9 @@
 """Settings and state of the outer loop, as the records that its kernels read and write."""
 
+from typing import Any, NamedTuple
+
 import numpy as np
+import numpy.typing as npt
 
 from ftc_jsb.estimation.detector import DETECTOR
 from ftc_jsb.estimation.process import FILTER, OUTPUTS, STATES
@@ -41,31 +44,54 @@ LOOP_SETTINGS = np.dtype(
     ]
 )
 
-LOOP_STATE = np.dtype(
+KNOWN = np.dtype(  # of the aircraft's state; where a sensor is silent, what is known instead
     [
-        ("trim", float, (3,)),  # u_n of (10): thrust [N], load factor, bank [rad]
-        ("demand", float, (3,)),  # limited u of the previous sample
-        ("slow", float, (2,)),  # demanded load factor and bank behind the lead's filter
-        ("command", float, (2,)),  # load factor and bank sent to the plant, lead included
-        ("response", float, (2, 2)),  # of a healthy inner loop to them: value and rate
-        ("integral", float, (3,)),  # of the tracking errors
-        ("drag_beyond", float),  # measured drag coefficient less the polar's
-        ("given_up", float, (2,)),  # path angle [rad] and part of the turn, for want of thrust
+        ("measurement", float, (OUTPUTS,)),  # airspeed, flight path angle, heading; nan = silent
+        ("state", float, (OUTPUTS,)),
+        ("altitude", float),  # [m]
+        ("position", float, (2,)),  # north, east [m]
+    ]
+)
+OBSERVER = np.dtype(  # what was flown and estimated
+    [
         ("rotor_speed", float),  # of the healthy engine that the loop imagines
         ("thrust", float),  # that engine's thrust [N]
+        ("trim_thrust", float),  # [N], at the start
         ("drag_coefficient", float),  # measured, of the previous sample
-        ("alpha", float),  # [rad]
+        ("alpha", float),  # [rad], likewise
         ("load_factor", float),
         ("bank_angle", float),  # [rad]
-        ("measurement", float, (OUTPUTS,)),
-        ("seen", float, (OUTPUTS,)),  # the same; where a sensor is silent, what is known instead
-        ("altitude", float),  # [m], likewise
-        ("position", float, (2,)),  # north, east [m], likewise
-        ("trim_thrust", float),  # [N], at the start
-        ("process_noise", float, (STATES,)),
         ("acceleration_innovation", float),  # [m/s^2]
         ("acceleration_innovation_std", float),
+        ("process_noise", float, (STATES,)),
         ("filter", FILTER),
         ("detector", DETECTOR),
     ]
 )
+INNER_LOOP = np.dtype(  # load factor and bank: what is sent to the inner loop, and its lag
+    [
+        ("slow", float, (2,)),  # demands behind the lead's filter
+        ("command", float, (2,)),  # sent to the plant, lead included
+        ("response", float, (2, 2)),  # of a healthy inner loop to them: value and rate
+    ]
+)
+LOOP_STATE = np.dtype(
+    [
+        ("known", KNOWN),
+        ("observer", OBSERVER),
+        ("trim", float, (3,)),  # u_n of (10): thrust [N], load factor, bank [rad]
+        ("demand", float, (3,)),  # limited u of the previous sample
+        ("integral", float, (3,)),  # of the tracking errors
+        ("drag_beyond", float),  # measured drag coefficient less the polar's
+        ("given_up", float, (2,)),  # path angle [rad] and part of the turn, for want of thrust
+        ("inner_loop", INNER_LOOP),
+    ]
+)
+
+
+class LoopArrays(NamedTuple):
+    """What a built-in loop is made of, as its kernels take it."""
+
+    settings: npt.NDArray[Any]  # (1,) LOOP_SETTINGS
+    model: npt.NDArray[Any]  # (1,) MODEL that the loop counts on
+    state: npt.NDArray[Any]  # (1,) LOOP_STATE

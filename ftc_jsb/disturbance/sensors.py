@@ -7,6 +7,7 @@ aircraft.
 """
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,9 +28,10 @@ from ftc_jsb.disturbance.faults import (
 from ftc_jsb.disturbance.noise import normal
 from ftc_jsb.disturbance.sensor_profiles import PROFILES, Errors
 from ftc_jsb.frames import path_from_attitude
-from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.sensors import Sensor, Sensors
 from ftc_jsb.units import STANDARD_GRAVITY
+from ftc_jsb.vocabulary.kernel_types import Numbers, Records
 from ftc_jsb.vocabulary.signals import SIGNALS
 
 COUNT = len(SIGNALS)
@@ -49,13 +51,13 @@ SENSORS = np.dtype(
 )
 
 
-class Senses(NamedTuple):
-    """What `measure` takes, but for the row."""
+class Instruments(NamedTuple):
+    """What is measured with: instruments, their faults, and the recording that they read and write."""
 
-    sensors: npt.NDArray[Any]
-    faults: npt.NDArray[Any]
-    record: npt.NDArray[Any]
-    table: npt.NDArray[np.float64]
+    sensors: npt.NDArray[Any]  # (1,) SENSORS
+    faults: npt.NDArray[Any]  # (n,) FAULT
+    record: npt.NDArray[Any]  # (rows,) of the recording
+    table: npt.NDArray[np.float64]  # (rows, columns), the same memory as numbers
 
 
 def sensor_errors(sensors: Sensors) -> dict[str, Errors]:
@@ -73,47 +75,47 @@ def sensor_errors(sensors: Sensors) -> dict[str, Errors]:
     return result
 
 
-def sensor_record(scenario: Scenario, record: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """(1,) SENSORS of a scenario, for a recording; biases are drawn from the scenario's seed."""
+def sensor_record(
+    sensors: Sensors, seed: int, record: npt.NDArray[Any], faults: Sequence[Fault] = ()
+) -> npt.NDArray[Any]:
+    """(1,) SENSORS for a recording; biases are drawn from the seed.
+
+    Args:
+        sensors: [sensors] of the scenario.
+        seed: of noise and biases.
+        record: whose columns are read and written.
+        faults: of the scenario; a fault of a sensor makes perfect ones imperfect.
+    """
     result = np.zeros(1, SENSORS)
     s = result[0]
-    s["seed"] = scenario.seed
+    s["seed"] = seed
     columns = list(record.dtype.names or ())
-    for index, (signal, errors) in enumerate(
-        zip(SIGNALS, sensor_errors(scenario.sensors).values(), strict=True)
-    ):
+    errors = sensor_errors(sensors)
+    for index, (signal, error) in enumerate(zip(SIGNALS, errors.values(), strict=True)):
         unit = math.radians(1.0) if signal.angle else 1.0
-        drawn = normal(scenario.seed, FIRST_STREAM + COUNT + index, 0)
-        s["noise"][index] = errors.noise * unit
-        s["bias"][index] = (errors.bias + errors.bias_spread * drawn) * unit
-        s["period"][index] = 1.0 / errors.rate if errors.rate > 0.0 else 0.0
-        s["delay"][index] = errors.delay
+        drawn = normal(seed, FIRST_STREAM + COUNT + index, 0)
+        s["noise"][index] = error.noise * unit
+        s["bias"][index] = (error.bias + error.bias_spread * drawn) * unit
+        s["period"][index] = 1.0 / error.rate if error.rate > 0.0 else 0.0
+        s["delay"][index] = error.delay
         name = signal.column or signal.name
         s["truth"][index] = columns.index(name)
         s["measured"][index] = columns.index(f"{name}_meas")
-    failing = any(TARGETS.index(fault.target) >= FIRST_SENSOR for fault in scenario.fault)
-    exact = all(e == Errors() for e in sensor_errors(scenario.sensors).values())
-    s["perfect"] = exact and not failing
+    failing = any(TARGETS.index(fault.target) >= FIRST_SENSOR for fault in faults)
+    s["perfect"] = all(error == Errors() for error in errors.values()) and not failing
     return result
 
 
 @compiled
-def measure(sensors: Any, faults: Any, record: Any, table: Any, i: int) -> None:
-    """Write what the aircraft measures at the start of sample `i`.
-
-    Args:
-        sensors: (1,) SENSORS.
-        faults: (n,) FAULT.
-        record: (rows,) of the recording; rows up to `i` are read.
-        table: (rows, columns), the same memory as numbers.
-        i: row.
-    """
-    s, row = sensors[0], record[i]
+def measure(instruments: Instruments, i: int) -> None:
+    """Write what the aircraft measures at the start of sample `i`; rows up to `i` are read."""
+    table = instruments.table
+    s, row = instruments.sensors[0], instruments.record[i]
     for k in range(COUNT):
         if s.perfect == 1:
             table[i, s.measured[k]] = table[i, s.truth[k]]
         else:
-            table[i, s.measured[k]] = _reading(s, faults, record, table, i, k)
+            table[i, s.measured[k]] = _reading(instruments, i, k)
     if s.perfect == 1:
         row.flight_path_angle_meas, row.heading_meas = row.flight_path_angle, row.heading
         row.load_factor_meas, row.bank_angle_meas = row.load_factor, row.bank_angle
@@ -137,8 +139,10 @@ def measure(sensors: Any, faults: Any, record: Any, table: Any, i: int) -> None:
 
 
 @compiled
-def _reading(s: Any, faults: Any, record: Any, table: Any, i: int, k: int) -> float:
+def _reading(instruments: Instruments, i: int, k: int) -> float:
     """What signal `k` reads at row `i`."""
+    s, faults = instruments.sensors[0], instruments.faults
+    record, table = instruments.record, instruments.table
     now = record[i].time
     noise, late, offset = s.noise[k], s.delay[k], s.bias[k]
     for f in range(faults.size):
@@ -171,7 +175,7 @@ def _reading(s: Any, faults: Any, record: Any, table: Any, i: int, k: int) -> fl
 
 
 @compiled
-def _at(record: Any, table: Any, i: int, column: int, time: float) -> float:
+def _at(record: Records, table: Numbers, i: int, column: int, time: float) -> float:
     """Truth at an earlier time, linear between the rows up to `i`."""
     if i == 0 or time <= record[0].time:
         return float(table[0, column])

@@ -4,18 +4,19 @@ Filter state: [airspeed, flight path angle, heading, effectiveness of the estima
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.point_mass.dynamics import derivatives, path_rates
-from ftc_jsb.point_mass.model import Condition
+from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.trigonometry import turned
+from ftc_jsb.vocabulary.channels import CHANNELS
+from ftc_jsb.vocabulary.kernel_types import Filter
 
 OUTPUTS = 3  # airspeed, flight path angle, heading: the measurement (21), y = h(x)
-CHANNELS = 3  # thrust, load factor, bank angle
-STATES = OUTPUTS + CHANNELS  # capacity; `count` of them are in use
+STATES = OUTPUTS + len(CHANNELS)  # capacity; `count` of them are in use
 
 POINTS = 2 * STATES + 1
 
@@ -35,7 +36,7 @@ STAGES = np.dtype(  # of a Runge-Kutta step, for each point
 FILTER = np.dtype(
     [
         ("count", np.int64),  # states in use: 3 + estimated channels
-        ("channel", np.int64, (CHANNELS,)),  # channel of each effectiveness state
+        ("channel", np.int64, (len(CHANNELS),)),  # channel of each effectiveness state
         ("estimate", float, (STATES,)),
         ("covariance", float, (STATES, STATES)),
         ("factor", float, (STATES, STATES)),  # scratch
@@ -48,6 +49,15 @@ FILTER = np.dtype(
         ("rejected", np.int64),  # samples in a row that the gate has refused
     ]
 )
+
+
+@compiled
+def place_of_channel(filter_state: Filter, channel: int) -> int:
+    """Place of a channel's effectiveness in the state of a filter; -1 where it is not estimated."""
+    for a in range(filter_state.count - OUTPUTS):
+        if filter_state.channel[a] == channel:
+            return OUTPUTS + a
+    return -1
 
 
 class Forcing(NamedTuple):
@@ -70,12 +80,15 @@ def _rates(
     sin_path: float,
     thrust: float,
     load_factor: float,
-    cos_bank: float,
-    sin_bank: float,
+    bank: tuple[float, float],
 ) -> tuple[float, float, float]:
-    """(41); `thrust` is along the path where drag is measured, along the body where it is not."""
+    """(41), bank as cosine and sine.
+
+    `thrust` is along the path where drag is measured, along the body where it is not.
+    """
+    cos_bank, sin_bank = bank
     if forcing.measured_drag:
-        drag = 0.5 * at.density * airspeed * airspeed * at.area * forcing.drag_coefficient
+        drag = pressure_area(at, airspeed) * forcing.drag_coefficient
         force = thrust - drag
         return path_rates(at, airspeed, cos_path, sin_path, force, load_factor, cos_bank, sin_bank)
     return derivatives(at, airspeed, cos_path, sin_path, thrust, load_factor, cos_bank, sin_bank)
@@ -107,7 +120,7 @@ def axes(forcing: Forcing, flight_path_angle: float) -> Axes:
 
 @compiled
 def propagate(
-    at: Condition, forcing: Forcing, near: Axes, filter_state: Any, count: int, dt: float
+    at: Condition, forcing: Forcing, near: Axes, filter_state: Filter, count: int, dt: float
 ) -> None:
     """F of (21) and (27): one classical Runge-Kutta step of (41) over `dt` seconds, of many points.
 
@@ -155,8 +168,7 @@ def propagate(
                 sp,
                 w.thrust[k],
                 w.load_factor[k],
-                w.cos_bank[k],
-                w.sin_bank[k],
+                (w.cos_bank[k], w.sin_bank[k]),
             )
             w.rate[0, k], w.rate[1, k] = rates[0], rates[1]
             for a in range(OUTPUTS):

@@ -20,8 +20,10 @@ from ftc_jsb.control.records import (
     NO_ESTIMATOR,
     TRUE,
     UNSCENTED,
+    LoopArrays,
 )
 from ftc_jsb.disturbance.sensors import sensor_errors
+from ftc_jsb.estimation.process import OUTPUTS
 from ftc_jsb.loops.tuning import covariances
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.vocabulary.channels import CHANNELS
@@ -59,19 +61,17 @@ class CompiledLoop:
 
     def __init__(self, setup: LoopSetup, model: npt.NDArray[Any], record: npt.NDArray[Any]) -> None:
         """Args: a loop in BUILT_IN and what it is built from; (1,) MODEL; recording."""
-        loop = setup.settings
-        self.settings = loop_settings(setup, model)
-        self.state = np.zeros(1, LOOP_STATE)
-        filters = self.state[0]["filter"]
-        filters["count"] = 3 + len(loop.estimator.channels)
-        for index, channel in enumerate(loop.estimator.channels):
+        self.arrays = LoopArrays(loop_settings(setup, model), model, np.zeros(1, LOOP_STATE))
+        channels = setup.settings.estimator.channels
+        filters = self.arrays.state[0]["observer"]["filter"]
+        filters["count"] = OUTPUTS + len(channels)
+        for index, channel in enumerate(channels):
             filters["channel"][index] = CHANNELS.index(channel)
-        self.model = model
         self._record = record
 
     @cached_property
     def _step(self) -> Callable[[int], Any]:
-        given = (self.settings, self.model, self.state, self._record)
+        given = (self.arrays, self._record)
         return partial(direct(outer_loop_step, *given, 0), *given)
 
     def step(self, i: int) -> None:

@@ -4,7 +4,7 @@ import math
 
 from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.point_mass.drag import angle_of_attack, drag_coefficient
-from ftc_jsb.point_mass.model import Condition
+from ftc_jsb.point_mass.model import Condition, pressure_area
 
 
 @inlined
@@ -17,12 +17,12 @@ def aerodynamic_state(
     part T sin(alpha) is not lift: C_L = (n W - T sin alpha) / (q S), alpha at the C_L without it.
     With no angle of attack (the paper's aircraft), C_L = n W / (q S).
     """
-    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
-    normal_coefficient = load_factor * at.mass * at.gravity / pressure_area
+    area = pressure_area(at, airspeed)
+    normal_coefficient = load_factor * at.mass * at.gravity / area
     alpha = angle_of_attack(at, normal_coefficient)
     if alpha == 0.0:
         return normal_coefficient, 0.0
-    lift_coefficient = normal_coefficient - thrust * math.sin(alpha) / pressure_area
+    lift_coefficient = normal_coefficient - thrust * math.sin(alpha) / area
     return lift_coefficient, angle_of_attack(at, lift_coefficient)
 
 
@@ -32,8 +32,8 @@ def polar_drag(
 ) -> tuple[float, float]:
     """Drag [N] by (43) and angle of attack [rad] at delivered thrust [N] and load factor."""
     lift_coefficient, alpha = aerodynamic_state(at, airspeed, thrust, load_factor)
-    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
-    return pressure_area * drag_coefficient(at, lift_coefficient), alpha
+    area = pressure_area(at, airspeed)
+    return area * drag_coefficient(at, lift_coefficient), alpha
 
 
 @inlined
@@ -121,5 +121,5 @@ def load_factor_limit(
     at: Condition, airspeed: float, load_factor_max: float, lift_max: float
 ) -> float:
     """Upper limit of the load factor: min(n_max, C_Lmax q S / W)."""
-    pressure_area = 0.5 * at.density * airspeed * airspeed * at.area
-    return min(load_factor_max, lift_max * pressure_area / (at.mass * at.gravity))
+    area = pressure_area(at, airspeed)
+    return min(load_factor_max, lift_max * area / (at.mass * at.gravity))

@@ -123,6 +123,12 @@ def bilinear(table: Any, row: int, along_row: float, column: int, along_column: 
 
 
 @inlined
+def pressure_area(at: Condition, airspeed: float) -> float:
+    """Dynamic pressure times reference area [N] at an airspeed [m/s]: q S of (43)."""
+    return 0.5 * at.density * airspeed * airspeed * at.area
+
+
+@inlined
 def air(model: Any, altitude: float) -> tuple[float, float]:
     """Density [kg/m^3] and speed of sound [m/s] that `model` assumes at an altitude [m]."""
     if model.constant_density > 0.0:

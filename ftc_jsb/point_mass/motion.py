@@ -1,9 +1,10 @@
 """Flight of the point mass under held commands: (41)-(42), responses and spool by Runge-Kutta steps."""
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.disturbance.wind import wind_step
@@ -15,8 +16,10 @@ from ftc_jsb.point_mass.dynamics import (
     polar_drag,
 )
 from ftc_jsb.point_mass.model import at_condition
+from ftc_jsb.point_mass.response import lag_acceleration
 from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
 from ftc_jsb.trigonometry import turned
+from ftc_jsb.vocabulary.kernel_types import ModelRecord, Records, Vector, WindRecord
 
 STATES = 10
 ANGLES = np.dtype(
@@ -39,30 +42,40 @@ POINT_MASS_STATE = np.dtype(
 )
 
 
+class PointMassArrays(NamedTuple):
+    """What the point mass is made of, as its kernels take it."""
+
+    model: npt.NDArray[Any]  # (1,) MODEL
+    wind: npt.NDArray[Any]  # (1,) WIND
+    state: npt.NDArray[Any]  # (1,) POINT_MASS_STATE
+
+
 @compiled
 def _rates(
-    model: Any, start: Any, x: Any, thrust: float, load_factor: float, bank: float, out: Any
+    model: ModelRecord,
+    start: Any,
+    x: Vector,
+    thrust: float,
+    load_factor: float,
+    bank: float,
+    out: Vector,
 ) -> None:
     """Derivative of the state `x` at a delivered thrust and effective commands, in still air.
 
     `start`: ANGLES near those of `x`.
     """
     at = at_condition(model, x[0], x[5])
+    frequency, damping = model.response_frequency, model.response_damping
     out[6], out[7] = 0.0, 0.0
-    if model.response_frequency[0] > 0.0:
-        frequency, damping = model.response_frequency[0], model.response_damping[0]
+    if frequency[0] > 0.0:
         out[6] = x[7]
-        out[7] = frequency * (frequency * (load_factor - x[6]) - 2.0 * damping * x[7])
+        out[7] = lag_acceleration(x[6], x[7], load_factor, frequency[0], damping[0], 0.0)
     out[8], out[9] = 0.0, 0.0
     cb, sb = start.cos_bank, start.sin_bank
-    if model.response_frequency[1] > 0.0:
-        frequency, damping = model.response_frequency[1], model.response_damping[1]
+    if frequency[1] > 0.0:
+        most = model.bank_acceleration_max
         out[8] = x[9]
-        acceleration = frequency * (frequency * (bank - x[8]) - 2.0 * damping * x[9])
-        if model.bank_acceleration_max > 0.0:
-            most = model.bank_acceleration_max
-            acceleration = min(max(acceleration, -most), most)
-        out[9] = acceleration
+        out[9] = lag_acceleration(x[8], x[9], bank, frequency[1], damping[1], most)
         cb, sb = turned(cb, sb, x[8] - start.bank)
     cp, sp = turned(start.cos_path, start.sin_path, x[1] - start.path)
     ch, sh = turned(start.cos_heading, start.sin_heading, x[2] - start.heading)
@@ -71,7 +84,7 @@ def _rates(
 
 
 @compiled
-def _remember_angles(start: Any, x: Any) -> None:
+def _remember_angles(start: Any, x: Vector) -> None:
     """Path, heading and bank of the state `x`, with their cosines and sines."""
     start.path, start.heading, start.bank = x[1], x[2], x[8]
     start.cos_path, start.sin_path = math.cos(x[1]), math.sin(x[1])
@@ -81,7 +94,7 @@ def _remember_angles(start: Any, x: Any) -> None:
 
 @compiled
 def _runge_kutta(
-    model: Any, wind: Any, state: Any, load_factor: float, bank: float, dt: float
+    model: ModelRecord, wind: WindRecord, state: Any, load_factor: float, bank: float, dt: float
 ) -> None:
     """One classical Runge-Kutta step of `dt` seconds, in place."""
     x, y, k, start, thrust = state.x, state.y, state.k, state.start, state.thrust
@@ -97,7 +110,7 @@ def _runge_kutta(
 
 
 @compiled
-def _blow(wind: Any, x: Any, dt: float) -> None:
+def _blow(wind: WindRecord, x: Vector, dt: float) -> None:
     """What wind adds over `dt` seconds: it carries the aircraft, and its change is felt as airspeed.
 
     The air-relative velocity is the inertial one less the wind, so that the wind's rate, along, up
@@ -117,14 +130,14 @@ def _blow(wind: Any, x: Any, dt: float) -> None:
 
 @compiled
 def point_mass_step(
-    model: Any, wind: Any, state: Any, record: Any, i: int, dt: float, substeps: int
+    plant: PointMassArrays, record: Records, i: int, dt: float, substeps: int
 ) -> None:
     """Fly the commands of row `i` for `dt` seconds through the wind of `wind_step`.
 
     Thrust, load factor and bank in force are written to row `i` where they act at once; the
     commands are held within the aircraft's limits, the effectiveness of row `i` multiplies them.
     """
-    m, s, row = model[0], state[0], record[i]
+    m, s, wind, row = plant.model[0], plant.state[0], plant.wind[0], record[i]
     x = s.x
     at = at_condition(m, x[0], x[5])
     most = load_factor_limit(at, x[0], m.load_factor_max, m.lift_coefficient_max)
@@ -146,7 +159,7 @@ def point_mass_step(
         else:
             healthy = min(max(row.thrust_cmd, at.thrust_idle), at.thrust_maximum)
         s.thrust = row.effectiveness_thrust * healthy
-        _runge_kutta(m, wind[0], s, load_factor, bank, dt / substeps)
+        _runge_kutta(m, wind, s, load_factor, bank, dt / substeps)
         if m.bank_rate_max > 0.0:
             x[9] = min(max(x[9], -m.bank_rate_max), m.bank_rate_max)
     if m.spool_up[0] == 0.0:
@@ -155,12 +168,12 @@ def point_mass_step(
 
 
 @compiled
-def point_mass_truth(model: Any, wind: Any, state: Any, record: Any, i: int, dt: float) -> None:
+def point_mass_truth(plant: PointMassArrays, record: Records, i: int, dt: float) -> None:
     """Write the state of the aircraft and the wind to row `i`, and move the wind on.
 
     The attitude is that of flight without sideslip.
     """
-    m, s, row = model[0], state[0], record[i]
+    m, s, wind, row = plant.model[0], plant.state[0], plant.wind, record[i]
     x = s.x
     at = at_condition(m, x[0], x[5])
     row.airspeed, row.flight_path_angle, row.heading = x[0], x[1], x[2]

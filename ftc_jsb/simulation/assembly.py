@@ -11,7 +11,7 @@ from ftc_jsb.aircraft.point_mass_file import PointMass, load_point_mass
 from ftc_jsb.control.command_filter import command_filter
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import fault_records, schedule
-from ftc_jsb.disturbance.sensors import Senses, sensor_record
+from ftc_jsb.disturbance.sensors import Instruments, sensor_record
 from ftc_jsb.disturbance.weather import wind_record
 from ftc_jsb.loops.registry import RecordedLoop, build_loop
 from ftc_jsb.recording.columns import ROW, numbers
@@ -19,53 +19,58 @@ from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.reference import raw_commands
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.plant import Plant
+from ftc_jsb.simulation.sample import LoopInputs
+
+OUTPUTS = ("airspeed", "flight_path_angle", "heading")  # y of the paper
 
 
-class Parts(NamedTuple):
+class Assembly(NamedTuple):
     """What a flight is made of, at rest at its start."""
 
+    record: npt.NDArray[Any]  # (rows,) of ROW
     plant: Plant
     loop: RecordedLoop
-    filters: npt.NDArray[Any]  # (1,) COMMAND_FILTER
-    senses: Senses
+    inputs: LoopInputs
     setup: LoopSetup
     model: npt.NDArray[Any]  # (1,) MODEL that the loop counts on
 
 
-def parts(
+def assemble(
     scenario: Scenario,
-    aircraft: PointMass,
-    record: npt.NDArray[Any],
     plant: Plant | None = None,
     output: Path | None = None,
-) -> Parts:
-    """Plant, loop, command filter and sensors of a scenario, bound to a blank recording.
+    record: npt.NDArray[Any] | None = None,
+) -> Assembly:
+    """Plant, loop, command filter and instruments of a scenario, bound to a blank recording.
 
     Args:
         scenario: to be flown.
-        aircraft: of `point_mass_of`.
-        record: of `blank_recording`.
         plant: in place of the model's own.
         output: as `fly` takes it.
+        record: a blank recording of the same references, in place of a new one.
 
     Raises:
         UserError: one of them cannot be had.
     """
+    aircraft = point_mass_of(scenario)
+    if record is None:
+        record = blank_recording(scenario, aircraft.thrust.engines)
     fuel = scenario.aircraft.fuel_fraction
     model = aircraft.record(fuel)
     dt = 1.0 / scenario.loop.rate
     if plant is None:
         plant = build_plant(scenario, model, dt, output)
     setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
-    first = [record[0][f"{name}_cmd_raw"] for name in ("airspeed", "flight_path_angle", "heading")]
-    reference = scenario.reference
+    first = [float(record[0][f"{name}_cmd_raw"]) for name in OUTPUTS]
     start = (0.0, 0.0, scenario.initial.altitude)
-    filters = command_filter(reference.filter_frequency, reference.filter_damping, dt, first, start)
+    shape = scenario.reference.filter_frequency, scenario.reference.filter_damping
+    filters = command_filter(*shape, dt, first, start)
     loop = build_loop(setup, model, record)
     plant.reset(record)
     faults = fault_records(scenario.fault)
-    senses = Senses(sensor_record(scenario, record), faults, record, numbers(record))
-    return Parts(plant, loop, filters, senses, setup, model)
+    sensors = sensor_record(scenario.sensors, scenario.seed, record, scenario.fault)
+    instruments = Instruments(sensors, faults, record, numbers(record))
+    return Assembly(record, plant, loop, LoopInputs(instruments, filters), setup, model)
 
 
 def point_mass_of(scenario: Scenario) -> PointMass:

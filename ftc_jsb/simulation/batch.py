@@ -6,22 +6,26 @@ many there are.
 """
 
 import math
-from collections.abc import Callable, Iterable
-from typing import Any
+from collections.abc import Iterable
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.records import LoopArrays
 from ftc_jsb.disturbance.faults import SCHEDULE, present
+from ftc_jsb.disturbance.sensors import Instruments
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.built_in import CompiledLoop
-from ftc_jsb.recording.columns import ROW
+from ftc_jsb.point_mass.motion import PointMassArrays
+from ftc_jsb.recording.columns import ROW, numbers
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import refuse_unflyable
-from ftc_jsb.simulation.assembly import blank_recording, parts, point_mass_of
+from ftc_jsb.simulation.assembly import assemble, blank_recording
 from ftc_jsb.simulation.point_mass_plant import PointMassPlant
-from ftc_jsb.simulation.sample import point_mass_flight
+from ftc_jsb.simulation.sample import PointMassFlight, LoopInputs, point_mass_flight
+from ftc_jsb.vocabulary.kernel_types import Numbers, Records
 
 FIRST_SCHEDULED = list(ROW.names or ()).index(SCHEDULE[0])
 
@@ -56,52 +60,61 @@ def fly_batch(scenarios: Iterable[Scenario]) -> npt.NDArray[Any]:
     record, cases = None, []
     for scenario in scenarios:
         refuse_unflyable(scenario)
-        aircraft = point_mass_of(scenario)
         shared = (scenario.reference, scenario.duration, scenario.loop.rate)
         if record is None:
             record, expected = blank_recording(scenario), shared
         if shared != expected:
             raise ScenarioError("a batch: expected one reference, duration and loop.rate for all")
-        plant, loop, filters, senses, _, _ = parts(scenario, aircraft, record)
-        if not isinstance(plant, PointMassPlant) or not isinstance(loop, CompiledLoop):
-            raise ScenarioError("a batch: expected point masses with built-in loops")
-        flown = (loop.settings, plant.model, loop.state, plant.state, plant.wind)
-        case = (*flown, senses.sensors, senses.faults[None], filters)
-        cases.append((*case, np.array([plant.substeps]), np.array([aircraft.thrust.engines])))
+        cases.append(_case(scenario, record))
     if record is None:
         return np.zeros(0, SUMMARY)
-    stacked: list[Any] = [np.concatenate(column) for column in zip(*cases, strict=True)]
     result = np.zeros(len(cases), SUMMARY)
-    table = record.view(np.float64).reshape(record.size, -1)
-    fly: Callable[..., None] = fly_cases
-    fly(*stacked, record, table, 1.0 / expected[2], result)
+    stacked = Cases(*(np.concatenate(column) for column in zip(*cases, strict=True)))
+    fly_cases(stacked, record, numbers(record), 1.0 / expected[2], result)
     return result
 
 
+class Cases(NamedTuple):
+    """What the flights of a batch are made of: (n,) each, as a flight has one of them."""
+
+    settings: npt.NDArray[Any]
+    model: npt.NDArray[Any]
+    loop: npt.NDArray[Any]
+    plant: npt.NDArray[Any]
+    wind: npt.NDArray[Any]
+    sensors: npt.NDArray[Any]
+    faults: npt.NDArray[Any]  # (n, CAPACITY) FAULT
+    command_filter: npt.NDArray[Any]
+    substeps: npt.NDArray[np.int64]
+    engines: npt.NDArray[np.int64]
+
+
+def _case(scenario: Scenario, record: npt.NDArray[Any]) -> Cases:
+    """One flight of a batch."""
+    flown = assemble(scenario, record=record)
+    plant, loop, (instruments, command_filter) = flown.plant, flown.loop, flown.inputs
+    if not isinstance(plant, PointMassPlant) or not isinstance(loop, CompiledLoop):
+        raise ScenarioError("a batch: expected point masses with built-in loops")
+    return Cases(
+        loop.arrays.settings,
+        plant.arrays.model,
+        loop.arrays.state,
+        plant.arrays.state,
+        plant.arrays.wind,
+        instruments.sensors,
+        instruments.faults[None],
+        command_filter,
+        np.array([plant.substeps]),
+        np.array([flown.setup.aircraft.thrust.engines]),
+    )
+
+
 @compiled
-def fly_cases(
-    settings: Any,
-    model: Any,
-    loop_state: Any,
-    plant_state: Any,
-    wind: Any,
-    sensors: Any,
-    faults: Any,
-    filters: Any,
-    substeps: Any,
-    engines: Any,
-    record: Any,
-    table: Any,
-    dt: float,
-    result: Any,
-) -> None:
+def fly_cases(cases: Cases, record: Records, table: Numbers, dt: float, result: Any) -> None:
     """Fly cases one after the other in the same recording.
 
     Args:
-        settings, model, loop_state, plant_state, wind, sensors, filters: (n,), each as
-            `point_mass_flight` takes one of them.
-        faults: (n, CAPACITY) FAULT.
-        substeps, engines: (n,).
+        cases: what they are made of.
         record, table: a blank recording, and its memory as numbers; it holds the last case after.
         dt: sample time [s].
         result: (n,) SUMMARY, written.
@@ -111,29 +124,22 @@ def fly_cases(
             record[i].effectiveness_thrust_est = math.nan  # a loop without an estimator writes none
             record[i].fault_declared = 0.0
             row = table[i, FIRST_SCHEDULED : FIRST_SCHEDULED + len(SCHEDULE)]
-            present(faults[c], record[i].time, engines[c], row)
-        last, reason = point_mass_flight(
-            settings[c : c + 1],
-            model[c : c + 1],
-            loop_state[c : c + 1],
-            plant_state[c : c + 1],
-            wind[c : c + 1],
-            sensors[c : c + 1],
-            faults[c],
-            filters[c : c + 1],
-            record,
-            table,
-            0,
-            record.size,
-            dt,
-            substeps[c],
+            present(cases.faults[c], record[i].time, cases.engines[c], row)
+        one = slice(c, c + 1)
+        model = cases.model[one]
+        instruments = Instruments(cases.sensors[one], cases.faults[c], record, table)
+        flight = PointMassFlight(
+            LoopInputs(instruments, cases.command_filter[one]),
+            LoopArrays(cases.settings[one], model, cases.loop[one]),
+            PointMassArrays(model, cases.wind[one], cases.plant[one]),
         )
+        last, reason = point_mass_flight(flight, 0, record.size, dt, cases.substeps[c])
         summarize(record, last, result[c])
         result[c].reason = reason
 
 
 @compiled
-def summarize(record: Any, last: int, summary: Any) -> None:
+def summarize(record: Records, last: int, summary: Any) -> None:
     """Write the SUMMARY of rows 0 to `last` of a recording, but for the reason of its end."""
     airspeed, path, heading, worst, load = 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(last + 1):

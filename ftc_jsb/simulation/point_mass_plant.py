@@ -11,6 +11,7 @@ import numpy.typing as npt
 from ftc_jsb.compiled import direct
 from ftc_jsb.point_mass.motion import (
     POINT_MASS_STATE,
+    PointMassArrays,
     point_mass_step,
     point_mass_truth,
     trim_thrust,
@@ -33,46 +34,40 @@ class PointMassPlant:
         substeps: int | None = None,
     ) -> None:
         """Args: (1,) MODEL; (1,) WIND; initial condition; sample time [s]; Runge-Kutta steps a sample."""
-        self.model = model
-        self.wind = wind
+        self.arrays = PointMassArrays(model, wind, np.zeros(1, POINT_MASS_STATE))
         self._initial = initial
         self.dt = dt
         self.substeps = substeps or substeps_needed(model, wind, dt)
-        self.state = np.zeros(1, POINT_MASS_STATE)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
         """Level trim at the initial condition; binds the recording to write to."""
-        initial, model = self._initial, self.model
+        initial = self._initial
         path = math.radians(initial.flight_path_deg)
-        state = self.state[0]
+        state = self.arrays.state[0]
         x = state["x"]
         x[:] = 0.0
         x[0], x[1], x[2] = initial.airspeed, path, math.radians(initial.heading_deg)
         x[5], x[6] = initial.altitude, math.cos(path)
         state["thrust"], state["rotor_speed"] = trim_thrust(
-            model, initial.airspeed, initial.altitude, path
+            self.arrays.model, initial.airspeed, initial.altitude, path
         )
         self._record = record
 
-    @property
-    def _all(self) -> tuple[Any, ...]:
-        return self.model, self.wind, self.state, self._record
-
     @cached_property  # a flight in compiled stretches needs neither
     def _truth(self) -> Callable[..., Any]:
-        return direct(point_mass_truth, *self._all, 0, self.dt)
+        return direct(point_mass_truth, self.arrays, self._record, 0, self.dt)
 
     @cached_property
     def _step(self) -> Callable[..., Any]:
-        return direct(point_mass_step, *self._all, 0, self.dt, self.substeps)
+        return direct(point_mass_step, self.arrays, self._record, 0, self.dt, self.substeps)
 
     def truth(self, i: int) -> None:
         """Write the state to row `i`."""
-        self._truth(*self._all, i, self.dt)
+        self._truth(self.arrays, self._record, i, self.dt)
 
     def step(self, i: int) -> None:
         """Fly the commands of row `i` for one sample."""
-        self._step(*self._all, i, self.dt, self.substeps)
+        self._step(self.arrays, self._record, i, self.dt, self.substeps)
 
     def close(self) -> None:
         """Nothing to release."""

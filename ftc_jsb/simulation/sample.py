@@ -5,87 +5,75 @@ Python. The kernels are the same and in the same order, so the flight is the sam
 compares).
 """
 
-from typing import Any
+from typing import Any, NamedTuple
+
+import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.command_filter import reference_step
 from ftc_jsb.control.outer_loop import outer_loop_step
-from ftc_jsb.disturbance.sensors import measure
-from ftc_jsb.point_mass.motion import point_mass_step, point_mass_truth
+from ftc_jsb.control.records import LoopArrays
+from ftc_jsb.disturbance.sensors import Instruments, measure
+from ftc_jsb.point_mass.motion import PointMassArrays, point_mass_step, point_mass_truth
 from ftc_jsb.simulation.departure import FLYING, departed
 
 
-@compiled
-def perceive(sensors: Any, faults: Any, filters: Any, record: Any, table: Any, i: int) -> int:
-    """From the truth in row `i`: what is measured, what is to be tracked, and whether it still flies.
+class LoopInputs(NamedTuple):
+    """What stands between a plant and its loop: instruments, and the filter that makes the references."""
 
-    Args:
-        sensors, faults, table: as `measure` takes them.
-        filters: as `reference_step` takes them.
-        record: (rows,) of the recording.
-        i: row.
+    instruments: Instruments
+    command_filter: npt.NDArray[Any]  # (1,) COMMAND_FILTER
+
+
+class PointMassFlight(NamedTuple):
+    """All that a point-mass flight is made of."""
+
+    inputs: LoopInputs
+    loop: LoopArrays
+    plant: PointMassArrays
+
+
+@compiled
+def perceive(inputs: LoopInputs, i: int) -> int:
+    """From the truth in row `i`: what is measured, what is to be tracked, and whether it still flies.
 
     Returns:
         Why the flight has departed; FLYING if it has not.
     """
-    measure(sensors, faults, record, table, i)
-    reference_step(filters, record, i)
-    return int(departed(record, i))
+    measure(inputs.instruments, i)
+    reference_step(inputs.command_filter, inputs.instruments.record, i)
+    return int(departed(inputs.instruments.record, i))
 
 
 @compiled
-def sample_step(
-    settings: Any,
-    model: Any,
-    loop_state: Any,
-    sensors: Any,
-    faults: Any,
-    filters: Any,
-    record: Any,
-    table: Any,
-    i: int,
-) -> int:
+def sample_step(inputs: LoopInputs, loop: LoopArrays, i: int) -> int:
     """From the truth in row `i` to its commands: `perceive`, then `outer_loop_step`."""
-    reason = perceive(sensors, faults, filters, record, table, i)
+    reason = perceive(inputs, i)
     if reason == FLYING:
-        outer_loop_step(settings, model, loop_state, record, i)
+        outer_loop_step(loop, inputs.instruments.record, i)
     return reason
 
 
 @compiled
 def point_mass_flight(
-    settings: Any,
-    model: Any,
-    loop_state: Any,
-    plant_state: Any,
-    wind: Any,
-    sensors: Any,
-    faults: Any,
-    filters: Any,
-    record: Any,
-    table: Any,
-    first: int,
-    beyond: int,
-    dt: float,
-    substeps: int,
+    flight: PointMassFlight, first: int, beyond: int, dt: float, substeps: int
 ) -> tuple[int, int]:
     """Fly rows `first` to `beyond - 1` of a recording.
 
     Args:
-        settings, model, loop_state, sensors, faults, filters, record, table: as `sample_step` takes them.
-        plant_state, dt, substeps: as `point_mass_step` takes them.
-        wind: (1,) WIND.
+        flight: what it is made of.
         first, beyond: range of rows.
+        dt: sample time [s].
+        substeps: Runge-Kutta steps a sample.
 
     Returns:
         The last row that was begun, and why it was not flown on from (FLYING if it was).
     """
+    record = flight.inputs.instruments.record
     for i in range(first, beyond):
-        point_mass_truth(model, wind, plant_state, record, i, dt)
-        reason = sample_step(
-            settings, model, loop_state, sensors, faults, filters, record, table, i
-        )
+        point_mass_truth(flight.plant, record, i, dt)
+        reason = sample_step(flight.inputs, flight.loop, i)
         if reason != FLYING:
             return i, reason
-        point_mass_step(model, wind, plant_state, record, i, dt, substeps)
+        point_mass_step(flight.plant, record, i, dt, substeps)
     return beyond - 1, FLYING

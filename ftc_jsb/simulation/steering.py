@@ -2,17 +2,15 @@
 
 import math
 import re
+from collections.abc import Iterable
 from typing import Any
 
 import numpy.typing as npt
 from pydantic import ValidationError
 
-from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import CAPACITY, FIRST_SENSOR, TARGETS, fault_records, schedule
-from ftc_jsb.disturbance.sensors import Senses
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.built_in import BUILT_IN, CompiledLoop, loop_settings
-from ftc_jsb.loops.registry import RecordedLoop
 from ftc_jsb.recording.commands import (
     Applied,
     Command,
@@ -28,6 +26,7 @@ from ftc_jsb.recording.commands import (
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import impossible
+from ftc_jsb.simulation.assembly import Assembly
 from ftc_jsb.simulation.set_points import climb, nearest_turn, ramp
 from ftc_jsb.typed_file import first_problem
 
@@ -35,23 +34,20 @@ from ftc_jsb.typed_file import first_problem
 class Steering:
     """Applies commands to a flight that is being flown, and keeps what was applied."""
 
-    def __init__(
-        self,
-        setup: LoopSetup,
-        scenario: Scenario,
-        model: npt.NDArray[Any],
-        loop: RecordedLoop,
-        senses: Senses,
-    ) -> None:
-        """Args: what the loop was built from; the scenario; (1,) MODEL; the loop; its senses."""
-        self._setup = setup
+    def __init__(self, scenario: Scenario, flown: Assembly) -> None:
+        """Args: the scenario that is flown, and what its flight is made of."""
         self._scenario = scenario
-        self._model = model
-        self._loop = loop
-        self._senses = senses
-        self._record = senses.record
+        self._setup = flown.setup
+        self._model = flown.model
+        self._loop = flown.loop
+        self._instruments = flown.inputs.instruments
+        self._record = flown.record
         self._faults = scenario.fault
         self.applied: list[Applied] = []
+
+    def apply_all(self, commands: Iterable[Command], row: int) -> bool:
+        """Apply commands before `row` is flown, as `apply`; whether the flight goes on."""
+        return all(self.apply(command, row) for command in commands)
 
     def apply(self, command: Command, row: int) -> bool:
         """Apply `command` before `row` (1 or later) is flown.
@@ -78,7 +74,7 @@ class Steering:
         changed = changed_loop(self._setup.settings, command)
         self._setup = self._setup._replace(settings=changed)
         if isinstance(self._loop, CompiledLoop):
-            self._loop.settings[:] = loop_settings(self._setup, self._model)
+            self._loop.arrays.settings[:] = loop_settings(self._setup, self._model)
 
     def _set_faults(self, command: SetFaults, row: int) -> None:
         for fault in command.faults:
@@ -94,9 +90,9 @@ class Steering:
             )
         self._faults = tuple(faults)
         records = fault_records(self._faults)
-        self._senses.faults[:] = records
+        self._instruments.faults[:] = records
         if any(TARGETS.index(fault.target) >= FIRST_SENSOR for fault in command.faults):
-            self._senses.sensors[0]["perfect"] = 0
+            self._instruments.sensors[0]["perfect"] = 0
         schedule(records, self._setup.aircraft.thrust.engines, self._record, row)
 
     def _set_point(self, command: SetAirspeed | SetFlightPath | SetHeading, row: int) -> None:

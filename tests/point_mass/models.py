@@ -5,7 +5,7 @@ from typing import Any
 
 from ftc_jsb.aircraft.point_mass_file import load_point_mass
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.law import airspeed_row, control_law
+from ftc_jsb.control.law import Inputs, Rates, airspeed_row, control_law
 from ftc_jsb.point_mass.drag import angle_of_attack, drag_coefficient, drag_slope
 from ftc_jsb.point_mass.dynamics import derivatives, level_trim_thrust, polar_drag
 from ftc_jsb.point_mass.model import at_condition
@@ -59,7 +59,7 @@ def law(
     model: Any, v: float, h: float, path: float, trim_input: Any, k: Any, wanted: Any
 ) -> tuple[float, float, float]:
     at = at_condition(model[0], v, h)
-    return control_law(
-        at, v, path, trim_input[0], trim_input[1], trim_input[2], (k[0], k[1], k[2]),
-        wanted[0], wanted[1], wanted[2],
-    )  # fmt: skip
+    trim = Inputs(trim_input[0], trim_input[1], trim_input[2])
+    effectiveness = Inputs(k[0], k[1], k[2])
+    rates = Rates(wanted[0], wanted[1], wanted[2])
+    return control_law(at, v, path, trim, effectiveness, rates)
