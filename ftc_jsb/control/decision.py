@@ -7,12 +7,20 @@ from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import Inputs, Rates, control_law
 from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.control.records import ESTIMATED, NO_ESTIMATOR, TRUE
+from ftc_jsb.control.upright import (
+    BANK_MAX,
+    load_factor_at_bank,
+    thrust_for_acceleration,
+    upright_bank,
+    wanted_lift,
+)
 from ftc_jsb.estimation.process import OUTPUTS
 from ftc_jsb.point_mass.dynamics import load_factor_limit, polar_drag, velocity
 from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.vocabulary.channels import LOAD_FACTOR, THRUST
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
 
+NEGATIVE_LIFT = 0.5  # of the largest lift coefficient that wings give when pushed
 DRAG_LAG = 0.1  # [s]: of the measured drag in the law; vanes are noisy
 
 
@@ -29,6 +37,24 @@ class Errors(NamedTuple):
     airspeed: float  # [m/s]
     flight_path_angle: float  # [rad]
     heading: float  # [rad]
+
+
+class Limits(NamedTuple):
+    """What the aircraft may be asked for at this flight condition."""
+
+    load_factor_min: float
+    load_factor_max: float
+    bank_max: float  # [rad]
+
+
+@compiled
+def limits_now(s: LoopSettings, m: ModelRecord, at: Condition, airspeed: float) -> Limits:
+    """Load factors between the structure's limits and what lift can give; bank as the loop flies it."""
+    most = load_factor_limit(at, airspeed, m.load_factor_max, m.lift_coefficient_max)
+    if s.upright == 0:
+        return Limits(m.load_factor_min, most, math.pi)
+    least = -NEGATIVE_LIFT * load_factor_limit(at, airspeed, math.inf, m.lift_coefficient_max)
+    return Limits(max(m.load_factor_min, least), most, BANK_MAX)
 
 
 @compiled
@@ -137,44 +163,53 @@ def drag_beyond_polar(
 
 @compiled
 def demand_of_law(
+    s: LoopSettings,
     x: LoopState,
     at: Condition,
+    row: Row,
     state: PathState,
     effectiveness: Inputs,
     wanted: Rates,
-    unpaid: float,
+    limits: Limits,
 ) -> Inputs:
-    """U of (20) about the trim input u_n, before any limit; `unpaid` [m/s^2] is paid for as well."""
-    trim = Inputs(x.trim[0], x.trim[1], x.trim[2])
-    paid = Rates(wanted.airspeed + unpaid, wanted.flight_path_angle, wanted.heading)
-    return control_law(at, state.airspeed, state.flight_path_angle, trim, effectiveness, paid)
+    """U of (20) about the trim input u_n, before any limit; where the settings say so, upright."""
+    airspeed, path = state.airspeed, state.flight_path_angle
+    if s.upright == 0:
+        trim = Inputs(x.trim[0], x.trim[1], x.trim[2])
+        return control_law(at, airspeed, path, trim, effectiveness, wanted)
+    least, most = limits.load_factor_min, limits.load_factor_max
+    up, across = wanted_lift(at, airspeed, path, wanted, least, most)
+    bank_now = row.bank_angle_meas
+    if not math.isfinite(bank_now):
+        bank_now = x.inner_loop.response[1, 0]
+    load_factor = min(max(load_factor_at_bank(up, across, bank_now, s.bank_share), least), most)
+    thrust = thrust_for_acceleration(
+        at, airspeed, path, x.trim[0], effectiveness.thrust, load_factor, wanted.airspeed
+    )
+    return Inputs(
+        thrust,
+        load_factor / effectiveness.load_factor,
+        upright_bank(up, across) / effectiveness.bank_angle,
+    )
 
 
 @compiled
 def limit_demand(
-    s: LoopSettings,
-    m: ModelRecord,
-    x: LoopState,
-    at: Condition,
-    row: Row,
-    airspeed: float,
-    demand: Inputs,
-    errors: Errors,
-) -> float:
-    """Hold the demand within the aircraft's limits; an integral that a limit stops does not wind up.
-
-    Returns:
-        Largest load factor now.
-    """
-    load_max = load_factor_limit(at, airspeed, m.load_factor_max, m.lift_coefficient_max)
+    s: LoopSettings, x: LoopState, at: Condition, row: Row, demand: Inputs, limits: Limits
+) -> None:
+    """Hold the demand within the aircraft's limits."""
     x.demand[0] = min(max(demand.thrust, at.thrust_idle), at.thrust_maximum)
-    x.demand[1] = min(max(demand.load_factor, m.load_factor_min), load_max)
-    x.demand[2] = min(max(demand.bank_angle, -math.pi), math.pi)
+    x.demand[1] = min(max(demand.load_factor, limits.load_factor_min), limits.load_factor_max)
+    x.demand[2] = min(max(demand.bank_angle, -limits.bank_max), limits.bank_max)
     row.thrust_saturated = 1.0 if x.demand[0] != demand.thrust else 0.0
     row.load_factor_saturated = 1.0 if x.demand[1] != demand.load_factor else 0.0
+
+
+@compiled
+def integrate_errors(s: LoopSettings, x: LoopState, row: Row, errors: Errors) -> None:
+    """Integral action; an integral that a limit stops does not wind up."""
     if row.thrust_saturated == 0.0:
         x.integral[0] += errors.airspeed * s.dt
     if row.load_factor_saturated == 0.0:
         x.integral[1] += errors.flight_path_angle * s.dt
         x.integral[2] += errors.heading * s.dt
-    return float(load_max)

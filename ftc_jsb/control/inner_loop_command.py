@@ -3,6 +3,7 @@
 import math
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.decision import Limits
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
 
 SMALLEST_UPRIGHT = 0.3  # cosine of a bank of 73 deg: beyond, lift hardly holds the aircraft up
@@ -10,7 +11,7 @@ SMALLEST_UPRIGHT = 0.3  # cosine of a bank of 73 deg: beyond, lift hardly holds 
 
 @compiled
 def command_inner_loop(
-    s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, load_factor_max: float
+    s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, limits: Limits
 ) -> None:
     """Write the commands of thrust, load factor and bank to the row.
 
@@ -24,8 +25,10 @@ def command_inner_loop(
     load_factor_rate = s.lead_filter * (x.demand[1] - lag.slow[0])
     bank_rate = s.lead_filter * (x.demand[2] - lag.slow[1])
     with_lead = _load_factor_for_bank(s, m, x) + s.lead[0] * load_factor_rate
-    row.load_factor_cmd = min(max(with_lead, m.load_factor_min), load_factor_max)
+    row.load_factor_cmd = min(max(with_lead, limits.load_factor_min), limits.load_factor_max)
     row.bank_angle_cmd = x.demand[2] + s.lead[1] * bank_rate
+    if s.upright == 1:
+        row.bank_angle_cmd = min(max(row.bank_angle_cmd, -limits.bank_max), limits.bank_max)
     lag.command[0], lag.command[1] = row.load_factor_cmd, row.bank_angle_cmd
     for axis in range(2):
         lag.slow[axis] += s.lead_share * (x.demand[1 + axis] - lag.slow[axis])
@@ -42,6 +45,6 @@ def _load_factor_for_bank(s: LoopSettings, m: ModelRecord, x: LoopState) -> floa
     """
     demand = float(x.demand[1])
     upright = math.cos(x.inner_loop.response[1, 0])
-    if m.response_frequency[1] == 0.0 or upright < SMALLEST_UPRIGHT:
+    if s.upright == 1 or m.response_frequency[1] == 0.0 or upright < SMALLEST_UPRIGHT:
         return demand
     return float(demand + s.bank_share * (demand * math.cos(x.demand[2]) / upright - demand))

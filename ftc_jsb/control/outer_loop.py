@@ -9,13 +9,16 @@ from ftc_jsb.control.decision import (
     demand_of_law,
     drag_beyond_polar,
     effectiveness_for_law,
+    integrate_errors,
     limit_demand,
+    limits_now,
     state_for_law,
     tracking_errors,
     wanted_rates,
 )
 from ftc_jsb.control.inner_loop_command import command_inner_loop
 from ftc_jsb.control.known_state import update_known_state
+from ftc_jsb.control.law import Rates
 from ftc_jsb.control.observer import observe, record_estimates
 from ftc_jsb.control.priority import put_speed_first
 from ftc_jsb.control.records import LoopArrays
@@ -52,9 +55,12 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
     wanted = wanted_rates(s, x, row, state, errors)
     unpaid = drag_beyond_polar(s, x, at, row, state.airspeed, effectiveness.thrust)
     wanted = put_speed_first(s, x, at, row, state, effectiveness.thrust, wanted)
-    demand = demand_of_law(x, at, state, effectiveness, wanted, unpaid)
-    load_factor_max = limit_demand(s, m, x, at, row, state.airspeed, demand, errors)
-    command_inner_loop(s, m, x, row, load_factor_max)
+    wanted = Rates(wanted.airspeed + unpaid, wanted.flight_path_angle, wanted.heading)
+    limits = limits_now(s, m, at, state.airspeed)
+    demand = demand_of_law(s, x, at, row, state, effectiveness, wanted, limits)
+    limit_demand(s, x, at, row, demand, limits)
+    integrate_errors(s, x, row, errors)
+    command_inner_loop(s, m, x, row, limits)
     advance_trim_input(s, x, row)
 
 

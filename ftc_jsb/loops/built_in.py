@@ -95,6 +95,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["path_gains"] = loop.path_gains
     s["bank_share"] = loop.bank_share
     s["drag_correction"] = loop.drag_correction
+    s["upright"] = bool(model[0]["response_frequency"][1] > 0.0)
     s["speed_first"] = loop.priority == "speed"
     s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
     s["effectiveness_floor"] = loop.effectiveness_floor

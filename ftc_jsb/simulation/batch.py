@@ -24,7 +24,7 @@ from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import refuse_unflyable
 from ftc_jsb.simulation.assembly import assemble, blank_recording
 from ftc_jsb.simulation.point_mass_plant import PointMassPlant
-from ftc_jsb.simulation.sample import PointMassFlight, LoopInputs, point_mass_flight
+from ftc_jsb.simulation.sample import LoopInputs, PointMassFlight, point_mass_flight
 from ftc_jsb.vocabulary.kernel_types import Numbers, Records
 
 FIRST_SCHEDULED = list(ROW.names or ()).index(SCHEDULE[0])
