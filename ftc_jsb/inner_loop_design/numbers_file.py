@@ -6,7 +6,7 @@ from typing import NamedTuple
 from ftc_jsb.inner_loop_design.airframe import Airframe
 
 HEADER = """<?xml version="1.0"?>
-<!-- Made by `{command}` with jsbsim {jsbsim}: the numbers that ftc_jsb/six_dof/inner_loop_structure.xml
+<!-- Made by `{command}` with jsbsim {jsbsim}: the numbers that ftc_jsb/six_dof/weaving/inner_loop_structure.xml
      reads for this aircraft. docs/aircraft.md says how they are found. -->
 <system name="ftc numbers">
 """

@@ -23,10 +23,11 @@ from ftc_jsb.scenario.reference import Reference, raw_commands
 from ftc_jsb.scenario.schema import AircraftChoice, Initial, Scenario
 from ftc_jsb.simulation.admissible_faults import SLOWEST_JSBSIM
 from ftc_jsb.simulation.departure import FLYING, REASONS, departed
-from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
+from ftc_jsb.six_dof.engines import engine_count
 from ftc_jsb.six_dof.plant import JsbsimPlant
-from ftc_jsb.six_dof.properties import engine_count, readers, write_checked, writer
-from ftc_jsb.six_dof.weaving import woven_aircraft
+from ftc_jsb.six_dof.properties import readers, write_checked, writer
+from ftc_jsb.six_dof.weaving.engine_deck import EFFECTIVENESS
+from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 from ftc_jsb.units import POUND_MASS
 
 FlightControl = Literal["corrected", "stock"]

@@ -10,10 +10,11 @@ from ftc_jsb.errors import AircraftError
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
+from ftc_jsb.six_dof.loading import load
 from ftc_jsb.six_dof.properties import node, write_checked
-from ftc_jsb.six_dof.trim import load, trimmed
-from ftc_jsb.six_dof.weaving import woven_aircraft
+from ftc_jsb.six_dof.trim import trimmed
+from ftc_jsb.six_dof.weaving.engine_deck import EFFECTIVENESS
+from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 from ftc_jsb.units import POUND_FORCE
 
 F16 = load_aircraft("f16")
