@@ -79,8 +79,8 @@ def write_numbers(
         _table("airframe/lift-slope", airframe.mach, airframe.lift_slope),
     ]
     lines += [
-        _table(f"airframe/{name}", airframe.mach, worth)
-        for name, worth in airframe.effectiveness.items()
+        _table(f"airframe/{name}", airframe.mach, values)
+        for name, values in airframe.effectiveness.items()
     ]
     lines += [
         _table("bank/rate-max", airframe.mach, airframe.roll_rate),

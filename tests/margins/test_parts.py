@@ -1,4 +1,4 @@
-"""Crossings, brink and alteration on loops that are known beforehand."""
+"""Crossings, stability limit and input perturbation on loops that are known beforehand."""
 
 import numpy as np
 import pytest
@@ -87,7 +87,7 @@ def test_what_breaks_means(growth, size, says):
     assert diverges(np.where(TIME > 20.0, np.nan, signal), 1.0, complete=True)
 
 
-def test_search_for_the_brink():
+def test_search_for_the_stability_limit():
     tried = []
 
     def broken(value: float) -> bool:
@@ -129,7 +129,7 @@ class Echo:
     ids=["injection", "gain", "delay", "half a sample"],
 )
 def test_recording_keeps_what_the_loop_commanded(alter, expected):
-    """The plant is given the altered command; the recording is as it was."""
+    """The plant is given the perturbed command; the recording is as it was."""
     record = np.zeros(6, [("thrust_cmd", float)])
     record["thrust_cmd"] = commands = np.arange(10.0, 70.0, 10.0)
     plant = PerturbedPlant(echo := Echo(), "thrust", alter)

@@ -76,7 +76,7 @@ def test_every_quirk_is_named_and_explained():
 def test_woven_copy_lives_outside_the_project():
     """The shipped files are GPL: nothing of them is written beside this project's own."""
     root = woven_aircraft(F16, True)
-    assert Path(__file__).parents[2] not in root.parents
+    assert Path(__file__).parents[3] not in root.parents
 
 
 def test_edit_that_does_not_find_what_it_expects_is_refused():
