@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ftc_jsb.analysis.metrics import flight_metrics
-from ftc_jsb.inner_loop_design.design import AIRSPEEDS
+from ftc_jsb.inner_loop_design.reference_search import AIRSPEEDS
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly

@@ -322,7 +322,7 @@ def identify(aircraft: str, out: Path | None, force: bool) -> None:
     """Fit the point mass of AIRCRAFT to virtual flight tests; write point_mass.toml."""
     from ftc_jsb.aircraft.description import load_aircraft
     from ftc_jsb.identify.identification import identify as run
-    from ftc_jsb.identify.identification import write_point_mass
+    from ftc_jsb.identify.point_mass_contents import write_point_mass
     from ftc_jsb.runs.output_folder import output_folder
 
     loaded = load_aircraft(aircraft)

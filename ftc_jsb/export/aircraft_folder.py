@@ -14,9 +14,10 @@ from ftc_jsb.errors import RecordingError
 from ftc_jsb.export.notice import notice
 from ftc_jsb.export.script import INITIAL, RATE, initial_condition, runscript, steps
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
-from ftc_jsb.six_dof.properties import engine_count
+from ftc_jsb.six_dof.engines import delivered_thrust, engine_count
+from ftc_jsb.six_dof.fuel_tanks import contents_property
 from ftc_jsb.six_dof.trim import trimmed
-from ftc_jsb.six_dof.weaving import woven_aircraft
+from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 from ftc_jsb.units import POUND_FORCE
 
 OWN = "ftc_"  # names of files that are not JSBSim's begin so
@@ -100,13 +101,13 @@ def _copy(root: Path, folder: Path, model: str) -> None:
 
 def _script(aircraft: Aircraft, fdm: Any) -> ET.Element:
     engines = engine_count(fdm)
-    thrust = sum(fdm[f"propulsion/engine[{k}]/thrust-lbs"] for k in range(engines))
+    thrust = delivered_thrust(fdm, engines)
     before = dict(aircraft.setup)
     for tank in aircraft.fuel_tanks:
-        name = f"propulsion/tank[{tank}]/contents-lbs"
+        name = contents_property(tank)
         before[name] = fdm[name]
     fdm.run()  # publishes the deck
-    commands = steps(thrust * POUND_FORCE, fdm["ftc/deck/military-lbs"] * POUND_FORCE)
+    commands = steps(thrust, fdm["ftc/deck/military-lbs"] * POUND_FORCE)
     return runscript(aircraft.jsbsim_model, aircraft.title, before, commands, engines)
 
 

@@ -5,6 +5,7 @@ import xml.etree.ElementTree as ET
 from typing import NamedTuple
 
 from ftc_jsb.scenario.schema import Initial
+from ftc_jsb.six_dof.engines import thrust_property
 
 INITIAL = "ftc_level"
 RATE = 200.0  # [Hz]
@@ -105,7 +106,7 @@ def runscript(
             values | ({"ftc/engaged": 1.0} if step.time == ENGAGE else {}),
         )
     output = ET.SubElement(root, "output", name=f"{model}.csv", type="CSV", rate="20")
-    for column in (*COLUMNS, *(f"propulsion/engine[{k}]/thrust-lbs" for k in range(engines))):
+    for column in (*COLUMNS, *map(thrust_property, range(engines))):
         ET.SubElement(output, "property").text = column
     return root
 

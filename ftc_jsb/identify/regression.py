@@ -5,6 +5,8 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 
+RIDGE = 1e-5  # of relative drag: decides only what no flight has seen
+
 
 def hats(values: Array, knots: Array) -> Array:
     """(samples, knots): weights of linear interpolation, clamped at the ends."""
@@ -12,12 +14,12 @@ def hats(values: Array, knots: Array) -> Array:
     return np.stack(columns, axis=1)
 
 
-def product(left: Array, right: Array) -> Array:
+def products(left: Array, right: Array) -> Array:
     """(samples, m n): all products of a column of `left` (m) and one of `right` (n), row-major."""
     return np.asarray((left[:, :, None] * right[:, None, :]).reshape(len(left), -1))
 
 
-def rough(rows: int, columns: int) -> Array:
+def second_differences(rows: int, columns: int) -> Array:
     """Second differences down the rows of a (rows, columns) table, as a penalty on its elements."""
     penalty = np.zeros((max(rows - 2, 0), columns, rows, columns))
     for i in range(rows - 2):

@@ -9,17 +9,18 @@ import numpy as np
 from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.errors import AircraftError, TrimError
 from ftc_jsb.scenario.schema import Initial
-from ftc_jsb.six_dof.trim import load, set_condition, trimmed
+from ftc_jsb.six_dof.loading import load
+from ftc_jsb.six_dof.trim import set_condition, trimmed
 
 DT = 0.005  # [s]
 ALTITUDE = 3048.0  # [m] at which the Mach numbers are flown
 MACH = (0.4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 1.0)
 SOUND_SPEED = 328.387  # [m/s] there
 FUEL = 0.5  # of internal fuel
-NUDGE = 0.05  # of a command that goes from -1 to 1
+PERTURBATION = 0.05  # of a command that goes from -1 to 1
 LARGE = 0.5  # of such a command, to see how fast the surface goes
 ARRIVAL = 0.4  # [s] by which it has arrived
-FRAMES = 5  # after a nudge: surfaces have arrived, the aircraft has hardly moved
+FRAMES = 5  # after a perturbation: surfaces have arrived, the aircraft has hardly moved
 LOAD_FACTORS = (0.5, 4.0)  # between which the lift slope is taken
 ALPHA_STEP = math.radians(0.5)
 RATE_SHARE = 0.99  # of a surface's own rate that the loop asks for
@@ -44,8 +45,8 @@ class Airframe(NamedTuple):
 def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...] = MACH) -> Airframe:
     """Lift slope, angular accelerations and surface rates of a woven aircraft.
 
-    A surface command is nudged to both sides of its trim; half the difference of the angular
-    accelerations a few frames later, over nudge and dynamic pressure, is what it is worth.
+    A surface command is perturbed to both sides of its trim; half the difference of the angular
+    accelerations a few frames later, over perturbation and dynamic pressure, is its effectiveness.
 
     Args:
         aircraft: as loaded.
@@ -62,7 +63,9 @@ def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...] = MACH) -> A
     for number in mach:
         initial = Initial(airspeed=number * SOUND_SPEED, altitude=ALTITUDE)
         try:
-            values = {name: _worth(aircraft, root, initial, name) for name in ACCELERATION}
+            values = {
+                name: _control_effectiveness(aircraft, root, initial, name) for name in ACCELERATION
+            }
         except TrimError:
             continue
         flown.append(number)
@@ -75,38 +78,40 @@ def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...] = MACH) -> A
             f"aircraft {aircraft.name!r}: no trim from Mach {mach[0]:g} to {mach[-1]:g} at "
             f"{ALTITUDE:g} m; the inner loop cannot be designed"
         )
-    for name, worth in found.items():
-        if min(worth) * max(worth) <= 0.0:
+    for name, effectiveness in found.items():
+        if min(effectiveness) * max(effectiveness) <= 0.0:
             raise AircraftError(
                 f"aircraft {aircraft.name!r}: fcs/{name}-cmd-norm turns the aircraft by "
-                f"{worth} rad/s2/psf over Mach; expected one sign"
+                f"{effectiveness} rad/s2/psf over Mach; expected one sign"
             )
     cruise = Initial(airspeed=flown[len(flown) // 2] * SOUND_SPEED, altitude=ALTITUDE)
     return Airframe(
         tuple(flown),
         tuple(slope),
-        {name: tuple(worth) for name, worth in found.items()},
+        {name: tuple(effectiveness) for name, effectiveness in found.items()},
         tuple(roll),
         {name: _rate(aircraft, root, cruise, name) for name in ACCELERATION},
     )
 
 
-def _nudged(aircraft: Aircraft, root: Path, initial: Initial, surface: str, nudge: float) -> Any:
+def _perturbed(
+    aircraft: Aircraft, root: Path, initial: Initial, surface: str, perturbation: float
+) -> Any:
     fdm = trimmed(aircraft, root, DT, initial, FUEL)
-    fdm[f"fcs/{surface}-cmd-norm"] = fdm[f"fcs/{surface}-cmd-norm"] + nudge
+    fdm[f"fcs/{surface}-cmd-norm"] = fdm[f"fcs/{surface}-cmd-norm"] + perturbation
     return fdm
 
 
-def _worth(aircraft: Aircraft, root: Path, initial: Initial, surface: str) -> float:
+def _control_effectiveness(aircraft: Aircraft, root: Path, initial: Initial, surface: str) -> float:
     accelerations = []
     pressure = 1.0
     for side in (-1.0, 1.0):
-        fdm = _nudged(aircraft, root, initial, surface, side * NUDGE)
+        fdm = _perturbed(aircraft, root, initial, surface, side * PERTURBATION)
         for _ in range(FRAMES):
             fdm.run()
         accelerations.append(fdm[f"accelerations/{ACCELERATION[surface]}-rad_sec2"])
         pressure = fdm["aero/qbar-psf"]
-    return float((accelerations[1] - accelerations[0]) / (2.0 * NUDGE * pressure))
+    return float((accelerations[1] - accelerations[0]) / (2.0 * PERTURBATION * pressure))
 
 
 def _rate(aircraft: Aircraft, root: Path, initial: Initial, surface: str) -> float:
@@ -114,7 +119,7 @@ def _rate(aircraft: Aircraft, root: Path, initial: Initial, surface: str) -> flo
     position = getattr(aircraft.surfaces, surface)[0].property
     shares = []
     for step in (-LARGE, LARGE):
-        fdm = _nudged(aircraft, root, initial, surface, step)
+        fdm = _perturbed(aircraft, root, initial, surface, step)
         start = fdm[position]
         fdm.run()
         first = fdm[position] - start
@@ -127,7 +132,7 @@ def _rate(aircraft: Aircraft, root: Path, initial: Initial, surface: str) -> flo
 
 def _roll_rate(aircraft: Aircraft, root: Path, initial: Initial) -> float:
     """ROLL_SHARE of the fastest roll in ROLL_TIME of full aileron, within ROLL_RATE_MAX."""
-    fdm = _nudged(aircraft, root, initial, "aileron", 1.0)
+    fdm = _perturbed(aircraft, root, initial, "aileron", 1.0)
     fastest = 0.0
     for _ in range(round(ROLL_TIME / DT)):
         fdm.run()

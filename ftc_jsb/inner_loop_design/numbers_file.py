@@ -6,7 +6,7 @@ from typing import NamedTuple
 from ftc_jsb.inner_loop_design.airframe import Airframe
 
 HEADER = """<?xml version="1.0"?>
-<!-- Made by `{command}` with jsbsim {jsbsim}: the numbers that ftc_jsb/six_dof/inner_loop_structure.xml
+<!-- Made by `{command}` with jsbsim {jsbsim}: the numbers that ftc_jsb/six_dof/weaving/inner_loop_structure.xml
      reads for this aircraft. docs/aircraft.md says how they are found. -->
 <system name="ftc numbers">
 """
@@ -79,8 +79,8 @@ def write_numbers(
         _table("airframe/lift-slope", airframe.mach, airframe.lift_slope),
     ]
     lines += [
-        _table(f"airframe/{name}", airframe.mach, worth)
-        for name, worth in airframe.effectiveness.items()
+        _table(f"airframe/{name}", airframe.mach, values)
+        for name, values in airframe.effectiveness.items()
     ]
     lines += [
         _table("bank/rate-max", airframe.mach, airframe.roll_rate),

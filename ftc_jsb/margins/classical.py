@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.margins.multisine import Response
+from ftc_jsb.margins.frequency_response import FrequencyResponse
 
 Array = npt.NDArray[np.float64]
 
@@ -23,7 +23,7 @@ class ClassicalMargins(NamedTuple):
     coherence: float  # the least of the lines beside the crossings
 
 
-def classical_margins(response: Response) -> ClassicalMargins:
+def classical_margins(response: FrequencyResponse) -> ClassicalMargins:
     """Every crossing of -180 deg and of size 1, the worst of each kind.
 
     Between lines, log |L| and the phase are linear in log frequency.

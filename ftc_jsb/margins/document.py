@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from ftc_jsb.margins.brink import QUIET, RESOLUTION
 from ftc_jsb.margins.measure import (
     AFTER,
     DELAY_AGREES,
@@ -16,6 +15,7 @@ from ftc_jsb.margins.measure import (
     SETTLE,
     ChannelMargins,
 )
+from ftc_jsb.margins.stability_limit import QUIET, RESOLUTION
 from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.schema import Scenario
 

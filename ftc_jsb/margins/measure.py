@@ -6,18 +6,23 @@ from typing import NamedTuple
 import numpy as np
 
 from ftc_jsb.errors import TrimError
-from ftc_jsb.margins.alteration import Delay, Gain, Injection
-from ftc_jsb.margins.brink import breaks, first_brink
 from ftc_jsb.margins.classical import ClassicalMargins, classical_margins
-from ftc_jsb.margins.flights import altered_flight
-from ftc_jsb.margins.multisine import Response, harmonics, loop_response, multisine
+from ftc_jsb.margins.frequency_response import (
+    FrequencyResponse,
+    harmonics,
+    loop_response,
+    multisine,
+)
+from ftc_jsb.margins.input_perturbation import Delay, Gain, Injection
+from ftc_jsb.margins.perturbed_flight import perturbed_flight
+from ftc_jsb.margins.stability_limit import diverges, smallest_divergent
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.vocabulary.channels import Channel
 
 CHANNELS: tuple[Channel, ...] = ("thrust", "load_factor", "bank_angle")
 # RMS of the injection and size of the step: so small that no limit and no rate limit is met
 AMPLITUDE = {"thrust": 20.0, "load_factor": 0.005, "bank_angle": 0.005}  # [N], [-], [rad]
-SETTLE = 10.0  # [s] of flight before anything is altered
+SETTLE = 10.0  # [s] of flight before anything is perturbed
 PERIOD = 40.0  # [s] of the multisine: its lowest line is 0.157 rad/s
 LINES = 90
 REALISATIONS = 4
@@ -33,27 +38,27 @@ class ChannelMargins(NamedTuple):
     gain: float  # factor inserted that breaks it; inf: none up to MOST_GAIN
     delay: float  # [s] inserted that breaks it; inf: none up to MOST_DELAY
     classical: ClassicalMargins
-    response: Response
+    response: FrequencyResponse
     agree: bool
     amplitude: float  # of the signals [N], [-], [rad]
 
 
-Tell = Callable[[str], None]
+Progress = Callable[[str], None]
 
 
 def channel_margins(
-    scenario: Scenario, channel: Channel, tell: Tell, scale: float = 1.0
+    scenario: Scenario, channel: Channel, tell: Progress, scale: float = 1.0
 ) -> ChannelMargins:
     """Measure both ways and compare.
 
     Args:
         scenario: straight and level, see `condition.level_scenario`.
-        channel: input of the plant at which the loop is opened or altered.
+        channel: input of the plant at which the loop is opened or perturbed.
         tell: is told what is flown next.
         scale: of the signals, in units of AMPLITUDE.
 
     Raises:
-        UserError: the aircraft cannot be had or trimmed, or does not fly unaltered.
+        UserError: the aircraft cannot be had or trimmed, or does not fly unperturbed.
     """
     tell(f"{channel}: frequency response")
     amplitude = scale * AMPLITUDE[channel]
@@ -76,7 +81,7 @@ def _close(found: float, other: float, relative: float, absolute: float, most: f
     return abs(found - other) <= max(relative * other, absolute)
 
 
-def frequency_response(scenario: Scenario, channel: Channel, amplitude: float) -> Response:
+def frequency_response(scenario: Scenario, channel: Channel, amplitude: float) -> FrequencyResponse:
     """L at one input by multisines of different phases, a flight each.
 
     Raises:
@@ -90,7 +95,7 @@ def frequency_response(scenario: Scenario, channel: Channel, amplitude: float) -
     for seed in range(REALISATIONS):
         period = multisine(samples, lines, amplitude, seed)
         signal = np.concatenate([np.zeros(still), period, period, period, period[:1]])
-        flown = altered_flight(scenario, channel, Injection(signal), (signal.size - 1) / rate)
+        flown = perturbed_flight(scenario, channel, Injection(signal), (signal.size - 1) / rate)
         if not flown.complete:
             raise TrimError(f"margins: {channel}: the injection ends the flight: {flown.reason}")
         settled = slice(still + samples, still + 3 * samples)
@@ -108,12 +113,12 @@ def gain_margin(scenario: Scenario, channel: Channel, step: float) -> float:
     start = round(SETTLE * scenario.loop.rate)
 
     def broken(factor: float) -> bool:
-        flown = altered_flight(scenario, channel, Gain(factor, start, step), SETTLE + AFTER)
-        return breaks(flown.given[start:], step, flown.complete)
+        flown = perturbed_flight(scenario, channel, Gain(factor, start, step), SETTLE + AFTER)
+        return diverges(flown.given[start:], step, flown.complete)
 
     if broken(1.0):
         raise TrimError(f"margins: {channel}: the loop breaks unaltered")
-    return first_brink(broken, 1.05, MOST_GAIN)
+    return smallest_divergent(broken, 1.05, MOST_GAIN)
 
 
 def delay_margin(scenario: Scenario, channel: Channel, step: float) -> float:
@@ -123,8 +128,8 @@ def delay_margin(scenario: Scenario, channel: Channel, step: float) -> float:
 
     def broken(delay: float) -> bool:
         after = max(AFTER, 40.0 * delay)
-        altered = Delay(delay * rate, start, step)
-        flown = altered_flight(scenario, channel, altered, SETTLE + after)
-        return breaks(flown.given[start:], step, flown.complete)
+        inserted = Delay(delay * rate, start, step)
+        flown = perturbed_flight(scenario, channel, inserted, SETTLE + after)
+        return diverges(flown.given[start:], step, flown.complete)
 
-    return first_brink(broken, 1.0 / rate, MOST_DELAY)
+    return smallest_divergent(broken, 1.0 / rate, MOST_DELAY)

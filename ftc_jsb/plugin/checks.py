@@ -5,7 +5,7 @@ from typing import Any
 from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.errors import AircraftError, LoopError
 from ftc_jsb.simulation.admissible_faults import SLOWEST_JSBSIM
-from ftc_jsb.six_dof.properties import engine_count
+from ftc_jsb.six_dof.engines import engine_count
 
 
 def check_aircraft(fdm: Any, aircraft: Aircraft) -> None:

@@ -24,9 +24,10 @@ from ftc_jsb.scenario.sensors import Sensors
 from ftc_jsb.simulation.assembly import OUTPUTS
 from ftc_jsb.simulation.departure import FLYING, REASONS, departed
 from ftc_jsb.simulation.sample import LoopInputs, perceive
-from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
+from ftc_jsb.six_dof.engines import engine_count
 from ftc_jsb.six_dof.plant import JsbsimPlant
-from ftc_jsb.six_dof.properties import engine_count, readers, writer
+from ftc_jsb.six_dof.properties import readers, writer
+from ftc_jsb.six_dof.weaving.engine_deck import EFFECTIVENESS
 from ftc_jsb.units import POUND_MASS
 
 

@@ -6,7 +6,7 @@ from typing import Any, Literal
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.six_dof.properties import write_checked
-from ftc_jsb.six_dof.weaving import woven_aircraft
+from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 
 FlightControl = Literal["corrected", "stock"]
 

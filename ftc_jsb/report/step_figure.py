@@ -5,7 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from ftc_jsb.inner_loop_design.criteria import Steps, step_window
+from ftc_jsb.inner_loop_design.published_steps import Steps, step_window
 from ftc_jsb.report.figures.style import RC, REFERENCE, STYLES
 
 

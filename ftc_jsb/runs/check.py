@@ -42,7 +42,7 @@ def check_scenario(scenario: Scenario) -> list[str]:
 def _trimmed(scenario: Scenario) -> str:
     """Weave, load and trim the aircraft of a scenario; its title."""
     from ftc_jsb.six_dof.trim import trimmed
-    from ftc_jsb.six_dof.weaving import woven_aircraft
+    from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 
     aircraft = load_aircraft(scenario.aircraft.name)
     root = woven_aircraft(aircraft, scenario.aircraft.flight_control == "corrected")

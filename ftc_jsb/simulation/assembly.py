@@ -91,8 +91,15 @@ def build_plant(
     if scenario.model == "jsbsim":
         from ftc_jsb.six_dof.plant import JsbsimPlant
 
-        steps, air, seed = simulation.jsbsim_steps, scenario.wind, scenario.seed
-        return JsbsimPlant(scenario.aircraft, scenario.initial, dt, steps, air, seed, output)
+        return JsbsimPlant(
+            scenario.aircraft,
+            scenario.initial,
+            dt,
+            simulation.jsbsim_steps,
+            wind=scenario.wind,
+            seed=scenario.seed,
+            output=output,
+        )
     from ftc_jsb.simulation.point_mass_plant import PointMassPlant
 
     wind = wind_record(scenario.wind, scenario.initial.altitude, scenario.seed, dryden=True)

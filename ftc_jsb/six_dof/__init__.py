@@ -1,1 +1,1 @@
-"""JSBSim: weaving, trim, plant."""
+"""JSBSim: woven aircraft, trim, the plant of the outer loop, flights by commands alone."""

@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
-from ftc_jsb.six_dof.fault_weaving import THROTTLE_STATE, surface_effectiveness, surface_state
 from ftc_jsb.six_dof.properties import writer
+from ftc_jsb.six_dof.weaving.engine_deck import EFFECTIVENESS
+from ftc_jsb.six_dof.weaving.faults import THROTTLE_STATE, surface_effectiveness, surface_state
 from ftc_jsb.vocabulary.channels import SURFACES
 
 

@@ -19,13 +19,14 @@ from ftc_jsb.recording.columns import numbers
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
 from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.six_dof.air import set_turbulence, start_in_wind
-from ftc_jsb.six_dof.fault_weaving import observed
+from ftc_jsb.six_dof.engines import delivered_thrust, engine_count, thrust_property
 from ftc_jsb.six_dof.fault_writers import FaultWriters
 from ftc_jsb.six_dof.observation import JSBSIM_STATE, POSITION_NAMES, PROPERTIES, observe
-from ftc_jsb.six_dof.properties import engine_count, readers, writer
+from ftc_jsb.six_dof.properties import readers, writer
 from ftc_jsb.six_dof.trim import trimmed
-from ftc_jsb.six_dof.weaving import woven_aircraft
-from ftc_jsb.units import FOOT, POUND_FORCE
+from ftc_jsb.six_dof.weaving.faults import observed
+from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
+from ftc_jsb.units import FOOT
 
 COMMANDS = ("ftc/command/thrust-n", "ftc/command/load-factor", "ftc/command/bank-rad")
 COMMANDED = ("thrust_cmd", "load_factor_cmd", "bank_angle_cmd")
@@ -41,12 +42,21 @@ class JsbsimPlant:
         initial: Initial,
         dt: float,
         steps: int,
+        *,
         wind: Wind | None = None,
         seed: int = 0,
         output: Path | None = None,
     ) -> None:
-        """Args: [aircraft], [initial]; sample time [s]; JSBSim steps a sample; [wind] and its seed; an
-        output directive for JSBSim.
+        """A plant that `reset` trims, or `attach` binds to an aircraft that flies.
+
+        Args:
+            choice: [aircraft] of a scenario.
+            initial: [initial] of a scenario.
+            dt: sample time [s].
+            steps: JSBSim steps a sample.
+            wind: [wind] of a scenario; default: still air.
+            seed: of the wind.
+            output: a JSBSim output directive, by its absolute path.
         """
         self._choice = choice
         self._initial = initial
@@ -67,7 +77,7 @@ class JsbsimPlant:
         root = woven_aircraft(aircraft, self._choice.flight_control == "corrected")
         frame = self._sample / self._steps
         fuel = self._choice.fuel_fraction
-        fdm = trimmed(aircraft, root, frame, self._initial, fuel, self._output)
+        fdm = trimmed(aircraft, root, frame, self._initial, fuel, output=self._output)
         self._wind = wind_record(self._air, self._initial.altitude, self._seed, dryden=False)
         self._blow = direct(wind_step, self._wind, record, 0, self._sample)
         set_turbulence(fdm, self._air, self._seed)
@@ -78,9 +88,8 @@ class JsbsimPlant:
         self._winds = [writer(fdm, f"atmosphere/wind-{axis}-fps") for axis in WIND_AXES]
         engines = engine_count(fdm)
         self._faults = FaultWriters(fdm, engines, record, self._numbers)
-        thrust = sum(fdm[f"propulsion/engine[{k}]/thrust-lbs"] for k in range(engines))
         level = math.cos(math.radians(self._initial.flight_path_deg))
-        start = (thrust * POUND_FORCE, level, 0.0)
+        start = (delivered_thrust(fdm, engines), level, 0.0)
         for (write, _), value in zip(self._commands, start, strict=True):
             write(value)
         writer(fdm, "ftc/engaged")(1.0)
@@ -96,7 +105,7 @@ class JsbsimPlant:
         engines = engine_count(fdm)
         names = [*PROPERTIES]
         names += [observed(aircraft, getattr(aircraft.positions, name)) for name in POSITION_NAMES]
-        names += [f"propulsion/engine[{number}]/thrust-lbs" for number in range(engines)]
+        names += [thrust_property(number) for number in range(engines)]
         self._readers = readers(fdm, names)
         self._raw = np.zeros(len(names))
         self._pack = partial(struct.Struct(f"{len(names)}d").pack_into, cast(Any, self._raw), 0)

@@ -48,15 +48,3 @@ def write_checked(fdm: Any, name: str, value: float) -> None:
             f"{fdm.get_model_name()}: property {name!r} does not take {value:g} "
             f"(it stays {fdm[name]:g}); is it read-only?"
         )
-
-
-def engine_count(fdm: Any) -> int:
-    """Number of engines.
-
-    Raises:
-        AircraftError: there is none.
-    """
-    count = int(fdm.get_propulsion().get_num_engines())
-    if count == 0:
-        raise AircraftError(f"{fdm.get_model_name()}: the aircraft has no engine")
-    return count

@@ -1,4 +1,4 @@
-"""A woven JSBSim aircraft, loaded, trimmed at the initial condition, and checked to hold the trim."""
+"""A woven JSBSim aircraft trimmed at the initial condition, and checked to hold the trim."""
 
 import math
 from pathlib import Path
@@ -7,70 +7,15 @@ from typing import Any
 from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.errors import AircraftError, TrimError
 from ftc_jsb.scenario.schema import Initial
-from ftc_jsb.six_dof.properties import engine_count, node, write_checked
+from ftc_jsb.six_dof.engines import engine_count
+from ftc_jsb.six_dof.fuel_tanks import fill_tanks
+from ftc_jsb.six_dof.loading import load
+from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.units import FOOT
 
 HOLD = 3.0  # [s] of hands-off flight that the trim must survive
 SPEED_DRIFT = 1.0  # [m/s] that it may drift by then
 PATH_DRIFT = 0.5  # [deg]
-
-
-def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
-    """A fresh `jsbsim.FGFDMExec` with the woven aircraft loaded.
-
-    Args:
-        aircraft: as loaded.
-        root: of the woven aircraft.
-        dt: JSBSim's time step [s].
-
-    Raises:
-        AircraftError: JSBSim refuses the aircraft; carries what JSBSim said.
-    """
-    import jsbsim
-
-    class Listener(jsbsim.FGLogger):
-        """Keeps what JSBSim says, in place of its console output."""
-
-        def __init__(self) -> None:
-            super().__init__()
-            self.text = ""
-
-        def set_level(self, level: Any) -> None:
-            pass
-
-        def file_location(self, filename: str, line: int) -> None:
-            self.text += f"{filename}:{line}: "
-
-        def message(self, message: str) -> None:
-            self.text += message
-
-        def format(self, format_: Any) -> None:
-            pass
-
-        def flush(self) -> None:
-            pass
-
-    listener = Listener()
-    jsbsim.set_logger(listener)
-    fdm = jsbsim.FGFDMExec(None)
-    fdm.set_debug_level(0)
-    fdm.set_dt(dt)  # before loading: actuators and filters take their time step when they are read
-    listener.text = ""  # the banner
-    try:
-        loaded = fdm.load_model_with_paths(
-            aircraft.jsbsim_model,
-            str(root / "aircraft"),
-            str(root / "engine"),
-            str(root / "systems"),
-            True,
-        )
-    except Exception as error:
-        said = " ".join(f"{error} {listener.text}".split())[:400]
-        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim: {said}") from None
-    if not loaded:
-        said = " ".join(listener.text.split())[:400]
-        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim cannot load it: {said}")
-    return fdm
 
 
 def trimmed(
@@ -79,6 +24,7 @@ def trimmed(
     dt: float,
     initial: Initial,
     fuel_fraction: float,
+    *,
     output: Path | None = None,
 ) -> Any:
     """A fresh `jsbsim.FGFDMExec`, trimmed, engines running; inner loop not engaged.
@@ -116,7 +62,7 @@ def set_condition(aircraft: Aircraft, fdm: Any, initial: Initial, fuel_fraction:
         fdm[name] = value
     for name, value in aircraft.setup.items():
         write_checked(fdm, name, value)
-    _fuel(aircraft, fdm, fuel_fraction)
+    fill_tanks(aircraft, fdm, fuel_fraction)
 
 
 def _trim(
@@ -144,16 +90,6 @@ def _trim(
     except Exception as error:
         raise TrimError(_failure(aircraft, fdm, initial, str(error))) from None
     return fdm
-
-
-def _fuel(aircraft: Aircraft, fdm: Any, fuel_fraction: float) -> None:
-    for tank in aircraft.fuel_tanks:
-        fraction = node(fdm, f"propulsion/tank[{tank}]/pct-full").get_double_value()
-        contents = node(fdm, f"propulsion/tank[{tank}]/contents-lbs").get_double_value()
-        if fraction <= 0.0:
-            raise AircraftError(f"aircraft {aircraft.name!r}: fuel tank {tank} is empty as shipped")
-        capacity = 100.0 * contents / fraction
-        fdm[f"propulsion/tank[{tank}]/contents-lbs"] = fuel_fraction * capacity
 
 
 def _check_hold(aircraft: Aircraft, fdm: Any, initial: Initial) -> None:

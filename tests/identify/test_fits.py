@@ -4,18 +4,15 @@ import numpy as np
 import pytest
 
 from ftc_jsb.aircraft.description import load_aircraft
+from ftc_jsb.aircraft.dynamic_pressure import pressure_area
 from ftc_jsb.aircraft.point_mass_file import load_point_mass
-from ftc_jsb.identify.aerodynamics import (
-    Sample,
-    fit_alpha,
-    fit_polar,
-    mach_knots,
-    relative_residual,
-)
 from ftc_jsb.identify.flight_test import fly_manoeuvre
+from ftc_jsb.identify.inner_loop_lag import fit_lag, second_order
+from ftc_jsb.identify.knots import mach_knots
 from ftc_jsb.identify.manoeuvres import held_out
-from ftc_jsb.identify.regression import hats, rough, solve
-from ftc_jsb.identify.response import fit_lag, second_order
+from ftc_jsb.identify.polar import fit_alpha, fit_polar
+from ftc_jsb.identify.regression import hats, second_differences, solve
+from ftc_jsb.identify.samples import Samples, relative_residual
 from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
 from ftc_jsb.recording.columns import ROW
@@ -24,12 +21,12 @@ from tests.point_mass.models import polar_and_alpha
 F16 = load_aircraft("f16")
 
 
-def synthetic(random: np.random.Generator, count: int, inside: float = 0.0) -> Sample:
+def synthetic(random: np.random.Generator, count: int, inside: float = 0.0) -> Samples:
     lift = random.uniform(-0.2 + inside, 0.9 - inside, count)
     mach = random.uniform(0.5 + inside, 1.1 - inside, count)
     drag = 0.02 + 0.01 * (mach - 0.5) + 0.1 * lift**2
     zero = np.zeros(count)
-    return Sample(lift, drag, mach, 0.02 + 0.25 * lift, zero, zero, zero, zero)
+    return Samples(lift, drag, mach, 0.02 + 0.25 * lift, zero, zero, zero, zero)
 
 
 def test_polar_and_alpha_of_a_known_aircraft_are_recovered():
@@ -54,7 +51,7 @@ def test_hats_interpolate_and_smoothness_fills_a_gap():
     """A knot without a single sample lies on the line of its neighbours."""
     knots = np.arange(6.0)
     x = np.concatenate([np.linspace(0, 2, 50), np.linspace(4, 5, 50)])
-    value = solve(hats(x, knots), 3.0 * x, np.ones(100), [1e-6 * rough(6, 1)])
+    value = solve(hats(x, knots), 3.0 * x, np.ones(100), [1e-6 * second_differences(6, 1)])
     np.testing.assert_allclose(value, 3.0 * knots, atol=1e-3)
 
 
@@ -79,12 +76,12 @@ def test_shipped_point_mass_tells_the_drag_of_an_unseen_flight():
     errors = []
     for row in record[50::20]:
         density, _ = standard_atmosphere(row["altitude"])
-        pressure_area = 0.5 * density * row["airspeed"] ** 2 * shipped.aerodynamics.area
+        force = pressure_area(density, row["airspeed"], shipped.aerodynamics.area)
         coefficient = measured_drag_coefficient(
             model[0], row["mach"], row["alpha"], row["sideslip"], row["elevator"], row["flap"],
             row["pitch_rate"] / row["airspeed"],
         )  # fmt: skip
-        errors.append(coefficient * pressure_area / row["drag"] - 1.0)
+        errors.append(coefficient * force / row["drag"] - 1.0)
     assert np.sqrt(np.mean(np.square(errors))) < 0.01
     told = shipped.identification
     assert told["residual_drag_polar_percent"] <= 1.5

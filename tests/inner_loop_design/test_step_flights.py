@@ -8,11 +8,12 @@ import pytest
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.inner_loop_design.airframe import measure
-from ftc_jsb.inner_loop_design.criteria import fly_steps
-from ftc_jsb.inner_loop_design.design import fly_step
-from ftc_jsb.inner_loop_design.step_flights import START, response
+from ftc_jsb.inner_loop_design.published_steps import fly_steps
+from ftc_jsb.inner_loop_design.reference_search import fly_step
+from ftc_jsb.inner_loop_design.step_commands import START
+from ftc_jsb.inner_loop_design.step_response import step_response
 from ftc_jsb.scenario.schema import Initial
-from ftc_jsb.six_dof.weaving import woven_aircraft
+from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 
 FIGHTERS = ("f16", "f15", "F4N", "A4", "T38")
 
@@ -76,7 +77,9 @@ def test_a_faster_reference_than_the_airframe_breaks_the_criterion():
 
 def test_aircraft_whose_surface_turns_it_both_ways_is_refused(monkeypatch):
     signs = iter([1.0, 1.0, 1.0, -1.0, 1.0, 1.0])
-    monkeypatch.setattr("ftc_jsb.inner_loop_design.airframe._worth", lambda *_: next(signs))
+    monkeypatch.setattr(
+        "ftc_jsb.inner_loop_design.airframe._control_effectiveness", lambda *_: next(signs)
+    )
     aircraft = load_aircraft("A4")
     with pytest.raises(AircraftError, match=r"fcs/elevator-cmd-norm.*expected one sign"):
         measure(aircraft, woven_aircraft(aircraft, True), mach=(0.6, 0.8))
@@ -87,7 +90,7 @@ def test_response_of_a_known_step():
     time = np.arange(500) * 0.01
     value = np.clip(time - START, 0.0, 1.1)
     value[time >= START + 2.0] = 1.0
-    judged = response(time, value, value, 0.0, 1.0)
+    judged = step_response(time, value, value, 0.0, 1.0)
     assert judged.rise == pytest.approx(0.8, abs=0.011)
     assert judged.overshoot == pytest.approx(0.1)
     assert judged.settling == pytest.approx(2.0, abs=0.011)

@@ -12,8 +12,8 @@ from scipy.signal import cont2discrete
 from ftc_jsb.control.law import airspeed_row
 from ftc_jsb.margins.classical import classical_margins
 from ftc_jsb.margins.condition import level_scenario
+from ftc_jsb.margins.frequency_response import FrequencyResponse
 from ftc_jsb.margins.measure import AMPLITUDE, delay_margin, frequency_response, gain_margin
-from ftc_jsb.margins.multisine import Response
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.assembly import point_mass_of
@@ -43,7 +43,7 @@ def trim_of(scenario: Scenario) -> tuple[float, float, float, float]:
 
 
 def assert_same(
-    measured: Response, theory: np.ndarray, size: float, angle: float, below: float = 400.0
+    measured: FrequencyResponse, theory: np.ndarray, size: float, angle: float, below: float = 400.0
 ) -> None:
     """Relative size, and phase [deg], at lines below a frequency [rad/s]; L above -60 dB."""
     ratio = measured.loop / theory

@@ -5,10 +5,10 @@ import json
 import numpy as np
 import pytest
 
-from ftc_jsb.margins.alteration import Injection
 from ftc_jsb.margins.condition import level_scenario
-from ftc_jsb.margins.flights import altered_flight
+from ftc_jsb.margins.input_perturbation import Injection
 from ftc_jsb.margins.measure import channel_margins
+from ftc_jsb.margins.perturbed_flight import perturbed_flight
 from ftc_jsb.simulation.fly import fly
 from tests.test_cli import assert_refused, run
 
@@ -26,7 +26,7 @@ def test_both_ways_agree_on_the_f16():
 def test_injection_of_nothing_is_the_flight_itself():
     """With the fuel frozen the mass stays; commands of the first second are those of `fly`, to 1e-6."""
     scenario = level_scenario("f16", "jsbsim").model_copy(update={"duration": 5.0})
-    altered = altered_flight(scenario, "thrust", Injection(np.zeros(501)), 5.0)
+    altered = perturbed_flight(scenario, "thrust", Injection(np.zeros(501)), 5.0)
     record = fly(scenario).record
     np.testing.assert_array_equal(altered.commanded, altered.given)
     np.testing.assert_allclose(altered.commanded[:100], record["thrust_cmd"][:100], rtol=1e-3)
@@ -37,7 +37,7 @@ def test_interruption_is_not_taken_for_a_loop_that_breaks():
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        altered_flight(level_scenario("paper", "paper"), "thrust", interrupt, 1.0)
+        perturbed_flight(level_scenario("paper", "paper"), "thrust", interrupt, 1.0)
 
 
 def test_condition_is_that_of_the_scenario_or_of_the_aircraft():

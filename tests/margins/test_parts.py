@@ -1,19 +1,24 @@
-"""Crossings, brink and alteration on loops that are known beforehand."""
+"""Crossings, stability limit and input perturbation on loops that are known beforehand."""
 
 import numpy as np
 import pytest
 
-from ftc_jsb.margins.alteration import AlteredPlant, Delay, Gain, Injection
-from ftc_jsb.margins.brink import breaks, first_brink
 from ftc_jsb.margins.classical import classical_margins
-from ftc_jsb.margins.multisine import Response, harmonics, loop_response, multisine
+from ftc_jsb.margins.frequency_response import (
+    FrequencyResponse,
+    harmonics,
+    loop_response,
+    multisine,
+)
+from ftc_jsb.margins.input_perturbation import Delay, Gain, Injection, PerturbedPlant
+from ftc_jsb.margins.stability_limit import diverges, smallest_divergent
 
 FREQUENCY = np.geomspace(0.05, 50.0, 120)
 TIME = np.arange(0.0, 30.0, 0.01)
 
 
-def response(loop: np.ndarray) -> Response:
-    return Response(FREQUENCY, loop, np.ones(FREQUENCY.size))
+def response(loop: np.ndarray) -> FrequencyResponse:
+    return FrequencyResponse(FREQUENCY, loop, np.ones(FREQUENCY.size))
 
 
 def test_textbook_margins():
@@ -77,21 +82,21 @@ def test_loop_response_sees_through_drift_and_tells_what_is_not_linear():
 def test_what_breaks_means(growth, size, says):
     """Oscillations of 2 rad/s after a step of 1, on a trend, which counts for nothing."""
     signal = 3.0 + 0.1 * TIME + size * np.exp(growth * TIME) * np.cos(2.0 * TIME)
-    assert breaks(signal, 1.0, complete=True) == says
-    assert breaks(signal, 1.0, complete=False)
-    assert breaks(np.where(TIME > 20.0, np.nan, signal), 1.0, complete=True)
+    assert diverges(signal, 1.0, complete=True) == says
+    assert diverges(signal, 1.0, complete=False)
+    assert diverges(np.where(TIME > 20.0, np.nan, signal), 1.0, complete=True)
 
 
-def test_search_for_the_brink():
+def test_search_for_the_stability_limit():
     tried = []
 
     def broken(value: float) -> bool:
         tried.append(value)
         return value > 37.0
 
-    assert first_brink(broken, 1.05, 1000.0) == pytest.approx(37.0, rel=0.005)
+    assert smallest_divergent(broken, 1.05, 1000.0) == pytest.approx(37.0, rel=0.005)
     assert len(tried) < 22
-    assert first_brink(lambda value: False, 1.05, 1000.0) == np.inf
+    assert smallest_divergent(lambda value: False, 1.05, 1000.0) == np.inf
 
 
 class Echo:
@@ -124,10 +129,10 @@ class Echo:
     ids=["injection", "gain", "delay", "half a sample"],
 )
 def test_recording_keeps_what_the_loop_commanded(alter, expected):
-    """The plant is given the altered command; the recording is as it was."""
+    """The plant is given the perturbed command; the recording is as it was."""
     record = np.zeros(6, [("thrust_cmd", float)])
     record["thrust_cmd"] = commands = np.arange(10.0, 70.0, 10.0)
-    plant = AlteredPlant(echo := Echo(), "thrust", alter)
+    plant = PerturbedPlant(echo := Echo(), "thrust", alter)
     plant.reset(record)
     for i in range(6):
         plant.step(i)

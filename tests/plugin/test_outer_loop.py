@@ -15,8 +15,8 @@ from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.simulation.assembly import point_mass_of
-from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
 from ftc_jsb.six_dof.trim import trimmed
+from ftc_jsb.six_dof.weaving.engine_deck import EFFECTIVENESS
 
 EXAMPLE = Path(__file__).parents[2] / "docs" / "examples" / "plugin.py"
 

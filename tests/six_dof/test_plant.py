@@ -1,37 +1,26 @@
 """The JSBSim plant: angles and positions told two ways, inner-loop steps, trim failures."""
 
+import math
 from typing import Any
 
 import numpy as np
 import pytest
 
-from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.errors import AircraftError, ScenarioError, TrimError
-from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.six_dof.plant import JsbsimPlant
-
-DT = 0.01
+from ftc_jsb.six_dof.commanded_flight import DT, fly_commanded, trimmed_aircraft
 
 
 def flight(initial: Initial, commands: Any, seconds: float, watch: Any = None) -> np.ndarray:
-    """Recording of the engaged inner loop under `commands(t, row)`."""
-    record = np.zeros(round(seconds / DT), ROW)
-    record["time"] = np.arange(record.size) * DT
-    schedule(fault_records(()), 1, record)
-    plant = JsbsimPlant(AircraftChoice(), initial, DT, 2)
-    plant.reset(record)
-    for i in range(record.size):
-        plant.truth(i)
-        row = record[i]
-        row["thrust_cmd"] = record[0]["thrust"]
-        row["load_factor_cmd"], row["bank_angle_cmd"] = commands(row["time"], row)
-        if watch is not None:
-            watch(plant.fdm, row)
-        plant.step(i)
-    return record
+    """Recording of the engaged inner loop at the trim's thrust under `commands(t, row)`."""
+    aircraft = trimmed_aircraft(AircraftChoice(), initial, round(seconds / DT))
+    return fly_commanded(
+        aircraft,
+        lambda t, row: (math.nan, *commands(t, row)),
+        watch=None if watch is None else lambda i: watch(aircraft.fdm, aircraft.record[i]),
+    )
 
 
 def test_angles_from_attitude_are_jsbsims_own_in_still_air():
@@ -111,16 +100,10 @@ def test_thrust_command_is_reached_as_fast_as_the_engine_allows():
 
     Thrust within 1 % of the span 2.5 s after each step.
     """
-    record = np.zeros(901, ROW)
-    schedule(fault_records(()), 1, record)
-    plant = JsbsimPlant(AircraftChoice(), Initial(), DT, 2)
-    plant.reset(record)
-    for i in range(900):
-        plant.truth(i)
-        row = record[i]
-        row["load_factor_cmd"] = 1.0
-        row["thrust_cmd"] = 105e3 if 300 <= i < 600 else -5e3
-        plant.step(i)
+    record = fly_commanded(
+        trimmed_aircraft(AircraftChoice(), Initial(), 900),
+        lambda t, row: (105e3 if 3.0 <= t < 6.0 else -5e3, 1.0, 0.0),
+    )
     assert record["throttle"][302] > 1.8
     assert record["throttle"][602] < 0.35
     span = 110e3

@@ -10,10 +10,11 @@ from ftc_jsb.errors import AircraftError
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.six_dof.engine_deck import EFFECTIVENESS
+from ftc_jsb.six_dof.loading import load
 from ftc_jsb.six_dof.properties import node, write_checked
-from ftc_jsb.six_dof.trim import load, trimmed
-from ftc_jsb.six_dof.weaving import woven_aircraft
+from ftc_jsb.six_dof.trim import trimmed
+from ftc_jsb.six_dof.weaving.engine_deck import EFFECTIVENESS
+from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 from ftc_jsb.units import POUND_FORCE
 
 F16 = load_aircraft("f16")
@@ -75,7 +76,7 @@ def test_every_quirk_is_named_and_explained():
 def test_woven_copy_lives_outside_the_project():
     """The shipped files are GPL: nothing of them is written beside this project's own."""
     root = woven_aircraft(F16, True)
-    assert Path(__file__).parents[2] not in root.parents
+    assert Path(__file__).parents[3] not in root.parents
 
 
 def test_edit_that_does_not_find_what_it_expects_is_refused():

@@ -4,6 +4,7 @@ import copy
 import xml.etree.ElementTree as ET
 
 from ftc_jsb.errors import AircraftError
+from ftc_jsb.six_dof.weaving.elements import constant, operation, property_value, required
 
 EFFECTIVENESS = "ftc/effectiveness/engine"  # one a engine: [0], [1]; 1 = healthy
 
@@ -20,14 +21,14 @@ def thrust_tables(engine: ET.Element, name: str) -> dict[str, ET.Element]:
         if function not in tables:
             raise AircraftError(f"{name}.xml: no function {function!r}; the thrust deck needs it")
     military = repr(float(required(engine, "milthrust").text or "") * (1.0 - _bleed(engine)))
-    idle = _node("product", _value(military), tables["IdleThrust"])
-    spread = _node("difference", _value("1"), tables["IdleThrust"])
-    dry = _node("sum", tables["IdleThrust"], _node("product", spread, tables["MilThrust"]))
-    decks = {"idle": idle, "military": _node("product", _value(military), dry)}
+    idle = operation("product", constant(military), tables["IdleThrust"])
+    spread = operation("difference", constant("1"), tables["IdleThrust"])
+    dry = operation("sum", tables["IdleThrust"], operation("product", spread, tables["MilThrust"]))
+    decks = {"idle": idle, "military": operation("product", constant(military), dry)}
     decks["maximum"] = decks["military"]
     if "AugThrust" in tables:
         maximum = required(engine, "maxthrust").text or ""
-        decks["maximum"] = _node("product", _value(maximum), tables["AugThrust"])
+        decks["maximum"] = operation("product", constant(maximum), tables["AugThrust"])
     return decks
 
 
@@ -51,16 +52,16 @@ def apply_effectiveness(engine: ET.Element) -> None:
         function, table = tables[name]
         factors = [effectiveness, table]
         if name == "MilThrust":
-            lost = _node("product", effectiveness, idle)
+            lost = operation("product", effectiveness, idle)
             factors.append(
-                _node(
+                operation(
                     "quotient",
-                    _node("difference", _value("1"), idle),
-                    _node("difference", _value("1"), lost),
+                    operation("difference", constant("1"), idle),
+                    operation("difference", constant("1"), lost),
                 )
             )
         function.remove(table)
-        function.append(_node("product", *factors))
+        function.append(operation("product", *factors))
 
 
 def deck_system(decks: list[dict[str, ET.Element]]) -> ET.ElementTree:
@@ -73,8 +74,8 @@ def deck_system(decks: list[dict[str, ET.Element]]) -> ET.ElementTree:
     for level in ("idle", "military", "maximum"):
         function = ET.SubElement(channel, "fcs_function", name=f"ftc/deck/{level}-lbs")
         total = [deck[level] for deck in decks]
-        node = _node("sum", *total) if len(total) > 1 else copy.deepcopy(total[0])
-        ET.SubElement(function, "function").append(node)
+        level_total = operation("sum", *total) if len(total) > 1 else copy.deepcopy(total[0])
+        ET.SubElement(function, "function").append(level_total)
     return ET.ElementTree(system)
 
 
@@ -89,14 +90,14 @@ def throttle_system(engines: list[ET.Element], name: str, military: float) -> ET
     system = ET.Element("system", name="ftc throttles")
     channel = ET.SubElement(system, "channel", name="throttles")
     for number, engine in enumerate(engines):
-        throttle = _property("ftc/throttle")
+        throttle = property_value("ftc/throttle")
         if not _has_reheat(engine):  # JSBSim would spool it beyond its maximum
-            throttle = _node("min", _value("1"), throttle)
+            throttle = operation("min", constant("1"), throttle)
         elif engine.findtext("augmethod", "0").strip() == "1":
             throttle = _switched()
-        wanted = _node("product", _value(repr(military)), throttle)
-        engaged = _node("gt", _property("ftc/engaged"), _value("0.5"))
-        held = _node("ifthen", engaged, wanted, _property(f"{name}[{number}]"))
+        wanted = operation("product", constant(repr(military)), throttle)
+        engaged = operation("gt", property_value("ftc/engaged"), constant("0.5"))
+        held = operation("ifthen", engaged, wanted, property_value(f"{name}[{number}]"))
         function = ET.SubElement(channel, "fcs_function", name=f"ftc/throttle-{number}")
         ET.SubElement(function, "function").append(held)
         ET.SubElement(function, "output").text = f"{name}[{number}]"
@@ -109,36 +110,6 @@ def _has_reheat(engine: ET.Element) -> bool:
 
 def _switched() -> ET.Element:
     """Throttle of a reheat that JSBSim lights in full above 0.99: whichever thrust is nearer."""
-    lit = _node("gt", _property("ftc/thrust/reheat-fraction"), _value("0.5"))
-    dry = _node("min", _value("0.985"), _property("ftc/throttle"))
-    return _node("ifthen", lit, _value("1"), dry)
-
-
-def _property(name: str) -> ET.Element:
-    element = ET.Element("property")
-    element.text = name
-    return element
-
-
-def _node(tag: str, *children: ET.Element) -> ET.Element:
-    element = ET.Element(tag)
-    element.extend(copy.deepcopy(child) for child in children)
-    return element
-
-
-def _value(text: str) -> ET.Element:
-    element = ET.Element("value")
-    element.text = text.strip()
-    return element
-
-
-def required(parent: ET.Element, path: str) -> ET.Element:
-    """Element of `parent` at `path`.
-
-    Raises:
-        AircraftError: there is none.
-    """
-    found = parent.find(path)
-    if found is None:
-        raise AircraftError(f"{parent.get('name', parent.tag)}: expected an element {path!r}")
-    return found
+    lit = operation("gt", property_value("ftc/thrust/reheat-fraction"), constant("0.5"))
+    dry = operation("min", constant("0.985"), property_value("ftc/throttle"))
+    return operation("ifthen", lit, constant("1"), dry)

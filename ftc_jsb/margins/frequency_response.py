@@ -9,8 +9,8 @@ Array = npt.NDArray[np.float64]
 Complex = npt.NDArray[np.complex128]
 
 
-class Response(NamedTuple):
-    """Frequency response of the broken loop L, with negative feedback: 1 + L = 0 is the brink."""
+class FrequencyResponse(NamedTuple):
+    """Frequency response of the broken loop L, with negative feedback: 1 + L = 0 is the stability limit."""
 
     frequency: Array  # [rad/s], increasing
     loop: Complex
@@ -46,7 +46,9 @@ def multisine(samples: int, lines: npt.NDArray[np.int64], rms: float, seed: int)
     return signal
 
 
-def loop_response(before: Array, after: Array, lines: npt.NDArray[np.int64], dt: float) -> Response:
+def loop_response(
+    before: Array, after: Array, lines: npt.NDArray[np.int64], dt: float
+) -> FrequencyResponse:
     """L = -(signal before the injection) / (signal after it), averaged over flights.
 
     The loop stays closed in flight and is opened by this quotient alone. Other phases in each
@@ -63,7 +65,7 @@ def loop_response(before: Array, after: Array, lines: npt.NDArray[np.int64], dt:
     cross = np.sum(v * np.conj(w), axis=0)
     power_v, power_w = np.sum(np.abs(v) ** 2, axis=0), np.sum(np.abs(w) ** 2, axis=0)
     coherence = np.abs(cross) ** 2 / (power_v * power_w)
-    return Response(2.0 * np.pi * lines / (samples * dt), -cross / power_w, coherence)
+    return FrequencyResponse(2.0 * np.pi * lines / (samples * dt), -cross / power_w, coherence)
 
 
 def _without_drift(signals: Array) -> Array:

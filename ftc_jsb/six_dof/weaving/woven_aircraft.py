@@ -1,4 +1,4 @@
-"""Weaving: the installed JSBSim aircraft plus effectiveness, engine deck, corrections, inner loop.
+"""The woven aircraft: the installed one plus effectiveness, engine deck, corrections, inner loop.
 
 The shipped files are GPL and are read from the installed jsbsim package at run time; the woven
 copy lives in the user's cache folder and is never part of this project.
@@ -13,16 +13,16 @@ from pathlib import Path
 
 import platformdirs
 
-from ftc_jsb.aircraft.description import Aircraft, Correction, Edit
+from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.six_dof.engine_deck import (
+from ftc_jsb.six_dof.weaving.corrections import apply_corrections
+from ftc_jsb.six_dof.weaving.engine_deck import (
     apply_effectiveness,
     deck_system,
-    required,
     throttle_system,
     thrust_tables,
 )
-from ftc_jsb.six_dof.fault_weaving import weave_faults
+from ftc_jsb.six_dof.weaving.faults import weave_faults
 from ftc_jsb.sources import source_digest
 
 # Woven in this order before the aircraft's own systems, so that each reads the frame's own values.
@@ -30,9 +30,8 @@ NUMBERS_SYSTEM = "ftc_numbers"  # of the aircraft: aircraft/NAME/inner_loop.xml
 DECK_SYSTEM = "ftc_engine_deck"
 INNER_LOOP_SYSTEM = "ftc_inner_loop"
 THROTTLE_SYSTEM = "ftc_throttles"
-INNER_LOOP = Path(__file__).with_name(
-    "inner_loop_structure.xml"
-)  # the structure, for every aircraft
+# The structure of the inner loop, for every aircraft.
+INNER_LOOP = Path(__file__).with_name("inner_loop_structure.xml")
 
 
 def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
@@ -101,13 +100,9 @@ def _weave(
     for thruster in fdm.findall("propulsion/engine/thruster"):
         shutil.copy(_find_engine(package, source, thruster.attrib["file"]), root / "engine")
     shutil.rmtree(root / "aircraft" / model / "Engines", ignore_errors=True)
-    for correction in aircraft.correction if corrected else ():
-        for edit in correction.edit:
-            if edit.file and edit.file not in engines:
-                _edit_system(systems, aircraft.name, correction, edit)
-            else:
-                edited = engines[edit.file].getroot() if edit.file else fdm
-                _edit(edited, aircraft.name, correction, edit)
+    if corrected:
+        parsed = {"": fdm} | {name: tree.getroot() for name, tree in engines.items()}
+        apply_corrections(aircraft, parsed, systems)
     decks = [thrust_tables(engines[name].getroot(), name) for name in installed]
     for name, engine_tree in engines.items():
         apply_effectiveness(engine_tree.getroot())
@@ -141,30 +136,3 @@ def _find_engine(package: Path, source: Path, name: str) -> Path:
         if (folder / f"{name}.xml").is_file():
             return folder / f"{name}.xml"
     raise AircraftError(f"engine file {name}.xml not found in {source} or {package / 'engine'}")
-
-
-def _edit_system(systems: Path, aircraft: str, correction: Correction, edit: Edit) -> None:
-    path = systems / f"{edit.file}.xml"
-    if not path.is_file():
-        raise AircraftError(
-            f"aircraft {aircraft!r}, correction {correction.name!r}: no engine or system "
-            f"{edit.file!r} in the installed jsbsim"
-        )
-    tree = ET.parse(path)
-    _edit(tree.getroot(), aircraft, correction, edit)
-    tree.write(path)
-
-
-def _edit(root: ET.Element, aircraft: str, correction: Correction, edit: Edit) -> None:
-    element = root.find(edit.element)
-    text = (element.text or "").strip() if element is not None else None
-    if element is None or text != edit.expect:
-        raise AircraftError(
-            f"aircraft {aircraft!r}, correction {correction.name!r}: {edit.element} holds {text!r}, "
-            f"expected {edit.expect!r}; the installed jsbsim differs from the one it was written for"
-        )
-    if edit.remove:
-        parent = required(root, edit.element.rsplit("/", 1)[0]) if "/" in edit.element else root
-        parent.remove(element)
-    else:
-        element.text = edit.replace

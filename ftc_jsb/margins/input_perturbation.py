@@ -1,4 +1,4 @@
-"""A plant whose input is altered: the loop's command goes on unseen by it as gain, delay or injection."""
+"""A plant with one input perturbed: the loop's command goes on, unseen by it, with gain, delay or injection."""
 
 from typing import Any, NamedTuple, Protocol
 
@@ -11,7 +11,7 @@ from ftc_jsb.vocabulary.channels import Channel
 Array = npt.NDArray[np.float64]
 
 
-class Alteration(Protocol):
+class Perturbation(Protocol):
     """What is done to one command of the loop on its way to the plant."""
 
     def __call__(self, commands: Array, i: int) -> float:
@@ -24,7 +24,7 @@ class Injection(NamedTuple):
     signal: Array  # (rows,)
 
     def __call__(self, commands: Array, i: int) -> float:
-        """See Alteration."""
+        """See Perturbation."""
         return float(commands[i] + self.signal[i])
 
 
@@ -40,7 +40,7 @@ class Gain(NamedTuple):
     step: float
 
     def __call__(self, commands: Array, i: int) -> float:
-        """See Alteration."""
+        """See Perturbation."""
         if i < self.start:
             return float(commands[i])
         trim = commands[self.start - 1]
@@ -59,7 +59,7 @@ class Delay(NamedTuple):
     step: float
 
     def __call__(self, commands: Array, i: int) -> float:
-        """See Alteration."""
+        """See Perturbation."""
         if i < self.start:
             return float(commands[i])
         whole = int(self.samples)
@@ -68,17 +68,17 @@ class Delay(NamedTuple):
         return float((1.0 - part) * late + part * later + self.step)
 
 
-class AlteredPlant:
-    """A `Plant` around another one that alters one command before it is flown.
+class PerturbedPlant:
+    """A `Plant` around another one that perturbs one command before it is flown.
 
     The recording keeps what the loop commanded; what was flown is in `given`.
     """
 
-    def __init__(self, plant: Plant, channel: Channel, alter: Alteration) -> None:
-        """Args: the plant; whose command is altered; how."""
+    def __init__(self, plant: Plant, channel: Channel, perturbation: Perturbation) -> None:
+        """Args: the plant; which command is perturbed; how."""
         self._plant = plant
         self._column = f"{channel}_cmd"
-        self._alter = alter
+        self._perturbation = perturbation
         self.given: Array = np.empty(0)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
@@ -98,9 +98,9 @@ class AlteredPlant:
         self._plant.truth(i)
 
     def step(self, i: int) -> None:
-        """Fly the altered command for one sample."""
+        """Fly the perturbed command for one sample."""
         commanded = float(self._commands[i])
-        self.given[i] = self._alter(self._commands, i)
+        self.given[i] = self._perturbation(self._commands, i)
         self._commands[i] = self.given[i]
         try:
             self._plant.step(i)

@@ -10,10 +10,10 @@ Array = npt.NDArray[np.float64]
 QUIET = 0.01  # of the step: what moves less at the end has settled
 GROWN = 10.0  # steps: beyond, limits may have stopped the growth
 SCAN = 1.4  # factor from one trial to the next, until the first one breaks
-RESOLUTION = 0.005  # of the brink, where the bisection ends
+RESOLUTION = 0.005  # of the limit, where the bisection ends
 
 
-def breaks(given: Array, step: float, complete: bool) -> bool:
+def diverges(given: Array, step: float, complete: bool) -> bool:
     """Whether what the plant was given after a step grows.
 
     The time after the step is cut in three. The loop breaks if the flight did not come to its end,
@@ -42,7 +42,7 @@ def _movement(signal: Array) -> float:
     return float(np.sqrt(np.mean(rest**2)))
 
 
-def first_brink(broken: Callable[[float], bool], first: float, most: float) -> float:
+def smallest_divergent(broken: Callable[[float], bool], first: float, most: float) -> float:
     """The smallest value at which a loop breaks: a scan upwards, then bisection on a log scale.
 
     Args:
@@ -51,7 +51,7 @@ def first_brink(broken: Callable[[float], bool], first: float, most: float) -> f
         most: where the scan ends.
 
     Returns:
-        The brink to 0.5 %; inf if there is none up to `most`; `first` if it is broken there.
+        The limit to 0.5 %; inf if there is none up to `most`; `first` if it is broken there.
     """
     good, bad = first, first
     while not broken(bad):

@@ -1,4 +1,4 @@
-"""Fit of the thrust deck over throttle, Mach and altitude, and of the spool's rates."""
+"""Fit of the thrust deck over throttle, Mach and altitude."""
 
 from typing import Any, NamedTuple
 
@@ -6,8 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.identify.regression import Array, hats, product, rough, solve
-from ftc_jsb.point_mass.atmosphere import standard_atmosphere
+from ftc_jsb.identify.regression import Array, hats, products, second_differences, solve
 
 MACH_STEP = 0.1
 ALTITUDE_STEP = 3048.0  # [m]: 10 000 ft, as engine decks are published
@@ -25,7 +24,7 @@ class Deck(NamedTuple):
 
     def levels(self, rows: npt.NDArray[Any]) -> tuple[Array, Array, Array]:
         """Idle, military and maximum thrust [N] at the Mach and altitude of recorded rows."""
-        at = product(hats(rows["mach"], self.mach), hats(rows["altitude"], self.altitude))
+        at = products(hats(rows["mach"], self.mach), hats(rows["altitude"], self.altitude))
         return at @ self.idle.ravel(), at @ self.military.ravel(), at @ self.maximum.ravel()
 
 
@@ -49,7 +48,7 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
     altitude = np.arange(highest + 1) * ALTITUDE_STEP
     dry = np.clip(rows["throttle"], 0.0, 1.0) ** 2
     reheat = np.clip(rows["throttle"] - 1.0, 0.0, 1.0)
-    at = product(hats(rows["mach"], mach), hats(rows["altitude"], altitude))
+    at = products(hats(rows["mach"], mach), hats(rows["altitude"], altitude))
     design = np.hstack(
         [
             at * ((1.0 - reheat) * (1.0 - dry))[:, None],
@@ -58,7 +57,10 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
         ]
     )
     m, n = len(mach), len(altitude)
-    smooth = np.kron(np.eye(3), np.vstack([rough(m, n), np.kron(np.eye(m), rough(n, 1))]))
+    smooth = np.kron(
+        np.eye(3),
+        np.vstack([second_differences(m, n), np.kron(np.eye(m), second_differences(n, 1))]),
+    )
     scale = 1.0 / np.abs(rows["thrust"]).mean()
     weight = np.full(len(rows), scale)
     solution = solve(design, rows["thrust"], weight, [1e-5 * scale * smooth])
@@ -75,45 +77,3 @@ def _settled(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
         np.where(moving, np.arange(record.size), 0)
     )
     return np.asarray(since > SETTLED)
-
-
-def fit_spool(records: list[npt.NDArray[Any]], deck: Deck) -> tuple[Array, Array]:
-    """Coefficients c0..c2 of `thrust.spool_rate`, accelerating and decelerating.
-
-    The rotor speed is not read: it is what the dry thrust tells, N = sqrt((T - idle) / (mil - idle)),
-    at throttles up to 1. Rates count where N is still far from where the throttle sends it.
-    """
-    from scipy.optimize import least_squares
-
-    speeds: dict[bool, list[Array]] = {True: [], False: []}
-    for record in records:
-        idle, military, _ = deck.levels(record)
-        square = (record["thrust"] - idle) / (military - idle)
-        target = np.clip(record["throttle"], 0.0, 1.0)
-        speed = np.sqrt(np.clip(square, 0.0, 1.0))
-        rate = np.gradient(speed, record["time"])
-        density = np.array([standard_atmosphere(h)[0] for h in record["altitude"]])
-        dry = (record["throttle"] < 1.0) & (square > 0.01)
-        for accelerating in (True, False):
-            gap = target - speed if accelerating else speed - target
-            use = dry & (gap > 0.1) & ((rate > 0.02) == accelerating) & (np.abs(rate) > 0.02)
-            speeds[accelerating].append(
-                np.stack([speed[use], np.abs(rate[use]), density[use]], axis=1)
-            )
-    fitted = []
-    for accelerating in (True, False):
-        data = np.concatenate(speeds[accelerating])
-        if len(data) < 20:
-            raise AircraftError("identification: the test flights hold no throttle steps")
-        lag = (1.0 - np.minimum(1.0, data[:, 0] + 0.1)) ** 3
-        thin = 1.0 - data[:, 2] / 1.225
-
-        def residual(c: Array, lag: Array = lag, thin: Array = thin, data: Array = data) -> Array:
-            return np.asarray(c[0] / (1.0 + c[1] * lag + c[2] * thin) - data[:, 1])
-
-        result = least_squares(
-            residual, [1.0, 1.0, 0.5], bounds=([0.01, 0.0, 0.0], [100.0, 50.0, 10.0]), loss="soft_l1",
-            f_scale=0.1,
-        )  # fmt: skip
-        fitted.append(np.asarray(result.x))
-    return fitted[0], fitted[1]

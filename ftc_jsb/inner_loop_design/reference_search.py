@@ -1,0 +1,162 @@
+"""Search for the fastest references that an airframe follows, over a grid of flight conditions."""
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from ftc_jsb.aircraft.description import Aircraft
+from ftc_jsb.errors import AircraftError, TrimError
+from ftc_jsb.inner_loop_design.step_commands import BANK_STEP, bank_step, load_factor_step, pull
+from ftc_jsb.inner_loop_design.step_flights import fly_commands
+from ftc_jsb.inner_loop_design.step_response import StepResponse, step_response
+from ftc_jsb.scenario.schema import Initial
+from ftc_jsb.six_dof.data_sheet import data_sheet
+
+Progress = Callable[[str], None]
+
+# [rad/s], from a quarter of the inversion bandwidth down
+LOAD_FACTOR_FREQUENCIES = (9.0, 8.0, 7.0, 6.0, 5.0, 4.5, 4.0, 3.5, 3.0)
+BANK_FREQUENCIES = (8.0, 7.0, 6.0, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0)  # [rad/s]
+
+# Where the search flies: not where the steps of docs/aircraft.md are flown.
+AIRSPEEDS = (190.0, 240.0, 290.0)  # [m/s]
+ALTITUDES = (1500.0, 4000.0)  # [m]
+FUEL = (0.2, 0.8)  # of internal fuel
+STEP_TIME = 5.0  # [s]
+
+
+class Criterion(NamedTuple):
+    """What every step of the search must keep: the published criteria, with a margin."""
+
+    overshoot: float  # of the step
+    settling: float  # [s] to 5 %; inf = not asked for
+    sideslip: float  # [rad]
+    following: float  # RMS distance from the reference, of the step
+
+
+class Axis(NamedTuple):
+    """A reference to be searched for."""
+
+    name: str  # as in the inner loop's properties
+    frequencies: tuple[float, ...]  # [rad/s], to be tried in this order
+    criterion: Criterion
+
+
+LOAD_FACTOR = Axis(
+    "load-factor",
+    LOAD_FACTOR_FREQUENCIES,
+    Criterion(overshoot=0.08, settling=float("inf"), sideslip=0.03, following=0.15),
+)
+BANK = Axis(
+    "bank",
+    BANK_FREQUENCIES,
+    Criterion(overshoot=0.03, settling=1.7, sideslip=0.03, following=0.13),
+)
+
+
+def search_grid(aircraft: Aircraft) -> Iterator[tuple[Initial, float]]:
+    """Level flight and fuel fraction at each point of the grid within the aircraft's test range."""
+    low, high = aircraft.flight_test.airspeed
+    for airspeed in AIRSPEEDS:
+        for altitude in ALTITUDES:
+            for fuel in FUEL:
+                if low <= airspeed <= high:
+                    yield Initial(airspeed=airspeed, altitude=altitude), fuel
+
+
+def fastest_reference(
+    aircraft: Aircraft,
+    axis: Axis,
+    conditions: list[tuple[Initial, float]],
+    numbers: dict[str, float],
+    progress: Progress,
+) -> float:
+    """The first frequency [rad/s] of an axis whose steps keep its criterion at every condition.
+
+    Args:
+        aircraft: woven with its measured airframe.
+        axis: to be searched.
+        conditions: initial condition and fuel fraction; those that do not trim are left out.
+        numbers: properties of the inner loop that are decided already.
+        progress: told what is being done, a line at a time.
+
+    Raises:
+        AircraftError: there is none.
+    """
+    remaining = list(conditions)
+    unmet = ""
+    for frequency in axis.frequencies:
+        for condition in remaining:
+            try:
+                response, sideslip = fly_step(
+                    aircraft,
+                    axis.name,
+                    *condition,
+                    {**numbers, f"ftc/{axis.name}/frequency": frequency},
+                )
+            except TrimError:  # too heavy, too slow or too fast for this aircraft
+                conditions = [other for other in conditions if other != condition]
+                continue
+            unmet = _unmet(response, sideslip, axis.criterion)
+            if unmet:
+                where = f"{condition[0].airspeed:g} m/s, {condition[0].altitude:g} m, fuel {condition[1]:g}"
+                progress(f"{axis.name} {frequency:g} rad/s: {unmet} at {where}")
+                # the hardest condition first: what broke one frequency most likely breaks the next
+                remaining = [condition, *(c for c in conditions if c != condition)]
+                break
+        else:
+            progress(f"{axis.name} {frequency:g} rad/s: kept at all {len(conditions)} conditions")
+            return frequency
+    raise AircraftError(
+        f"aircraft {aircraft.name!r}: no {axis.name} reference down to "
+        f"{axis.frequencies[-1]:g} rad/s is followed: {unmet}"
+    )
+
+
+def fly_step(
+    aircraft: Aircraft,
+    axis: str,
+    initial: Initial,
+    fuel_fraction: float,
+    numbers: dict[str, float] | None = None,
+) -> tuple[StepResponse, float]:
+    """A step of `load-factor` or `bank` and its largest sideslip [rad].
+
+    Args:
+        aircraft: woven with its measured airframe.
+        axis: which.
+        initial: condition at the start.
+        fuel_fraction: of internal fuel.
+        numbers: properties of the inner loop to be set.
+
+    Raises:
+        TrimError: no trim there.
+    """
+    if axis == "bank":
+        flown = fly_commands(aircraft, initial, fuel_fraction, bank_step, STEP_TIME, numbers)
+        value, reference, last = flown.record["bank_angle"], flown.bank_reference, BANK_STEP
+        first = 0.0
+    else:
+        at_start = fly_commands(aircraft, initial, fuel_fraction, load_factor_step(1.0), 0.02)
+        most = pull(
+            aircraft.flight_test.lift_coefficient_max, data_sheet(aircraft).area, at_start.record[0]
+        )
+        flown = fly_commands(
+            aircraft, initial, fuel_fraction, load_factor_step(most), STEP_TIME, numbers
+        )
+        value, reference = flown.record["load_factor"], flown.load_factor_reference
+        first, last = 1.0, most
+    response = step_response(flown.record["time"], value, reference, first, last)
+    return response, float(abs(flown.record["sideslip"]).max())
+
+
+def _unmet(response: StepResponse, sideslip: float, criterion: Criterion) -> str:
+    """Which part of the criterion is not kept; empty if all is."""
+    if response.overshoot > criterion.overshoot:
+        return f"overshoot {100.0 * response.overshoot:.1f} %"
+    if response.settling > criterion.settling:
+        return f"settled after {response.settling:.2f} s"
+    if sideslip > criterion.sideslip:
+        return f"sideslip {sideslip:.3f} rad"
+    if response.following > criterion.following:
+        return f"{100.0 * response.following:.1f} % RMS from the reference"
+    return ""

@@ -1,0 +1,1 @@
+"""Weaving: the installed JSBSim aircraft with inner loop, engine deck, faults and corrections put in."""
