@@ -5,30 +5,22 @@ from typing import NamedTuple
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import Inputs, Rates, control_law
+from ftc_jsb.control.limits import Limits, PathState
 from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.control.records import ESTIMATED, NO_ESTIMATOR, TRUE
 from ftc_jsb.control.upright import (
-    BANK_MAX,
     load_factor_at_bank,
     thrust_for_acceleration,
     upright_bank,
     wanted_lift,
 )
 from ftc_jsb.estimation.process import OUTPUTS
-from ftc_jsb.point_mass.dynamics import load_factor_limit, polar_drag, velocity
+from ftc_jsb.point_mass.dynamics import polar_drag, velocity
 from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.vocabulary.channels import LOAD_FACTOR, THRUST
-from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
+from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, Row
 
-NEGATIVE_LIFT = 0.5  # of the largest lift coefficient that wings give when pushed
 DRAG_LAG = 0.1  # [s]: of the measured drag in the law; vanes are noisy
-
-
-class PathState(NamedTuple):
-    """State of (41) that the law is evaluated at."""
-
-    airspeed: float  # [m/s]
-    flight_path_angle: float  # [rad]
 
 
 class Errors(NamedTuple):
@@ -37,24 +29,6 @@ class Errors(NamedTuple):
     airspeed: float  # [m/s]
     flight_path_angle: float  # [rad]
     heading: float  # [rad]
-
-
-class Limits(NamedTuple):
-    """What the aircraft may be asked for at this flight condition."""
-
-    load_factor_min: float
-    load_factor_max: float
-    bank_max: float  # [rad]
-
-
-@compiled
-def limits_now(s: LoopSettings, m: ModelRecord, at: Condition, airspeed: float) -> Limits:
-    """Load factors between the structure's limits and what lift can give; bank as the loop flies it."""
-    most = load_factor_limit(at, airspeed, m.load_factor_max, m.lift_coefficient_max)
-    if s.upright == 0:
-        return Limits(m.load_factor_min, most, math.pi)
-    least = -NEGATIVE_LIFT * load_factor_limit(at, airspeed, math.inf, m.lift_coefficient_max)
-    return Limits(max(m.load_factor_min, least), most, BANK_MAX)
 
 
 @compiled

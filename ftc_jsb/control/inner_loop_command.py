@@ -3,7 +3,7 @@
 import math
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.decision import Limits
+from ftc_jsb.control.limits import Limits
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
 
 SMALLEST_UPRIGHT = 0.3  # cosine of a bank of 73 deg: beyond, lift hardly holds the aircraft up

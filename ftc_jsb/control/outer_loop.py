@@ -11,14 +11,15 @@ from ftc_jsb.control.decision import (
     effectiveness_for_law,
     integrate_errors,
     limit_demand,
-    limits_now,
     state_for_law,
     tracking_errors,
     wanted_rates,
 )
+from ftc_jsb.control.envelope import keep_inside_envelope
 from ftc_jsb.control.inner_loop_command import command_inner_loop
 from ftc_jsb.control.known_state import update_known_state
 from ftc_jsb.control.law import Rates
+from ftc_jsb.control.limits import limits_now
 from ftc_jsb.control.observer import observe, record_estimates
 from ftc_jsb.control.priority import put_speed_first
 from ftc_jsb.control.records import LoopArrays
@@ -55,8 +56,9 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
     wanted = wanted_rates(s, x, row, state, errors)
     unpaid = drag_beyond_polar(s, x, at, row, state.airspeed, effectiveness.thrust)
     wanted = put_speed_first(s, x, at, row, state, effectiveness.thrust, wanted)
-    wanted = Rates(wanted.airspeed + unpaid, wanted.flight_path_angle, wanted.heading)
     limits = limits_now(s, m, at, state.airspeed)
+    wanted = keep_inside_envelope(s, m, x, at, state, effectiveness.thrust, limits, wanted)
+    wanted = Rates(wanted.airspeed + unpaid, wanted.flight_path_angle, wanted.heading)
     demand = demand_of_law(s, x, at, row, state, effectiveness, wanted, limits)
     limit_demand(s, x, at, row, demand, limits)
     integrate_errors(s, x, row, errors)

@@ -12,6 +12,7 @@ from typing import Any
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import Rates
+from ftc_jsb.control.limits import PathState
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import Condition
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, Row
@@ -124,7 +125,7 @@ def put_speed_first(
     x: LoopState,
     at: Condition,
     row: Row,
-    state: Any,
+    state: PathState,
     effectiveness: float,
     wanted: Rates,
 ) -> Rates:
