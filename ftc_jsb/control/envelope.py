@@ -9,7 +9,7 @@ import math
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import Rates
 from ftc_jsb.control.limits import Limits, PathState
-from ftc_jsb.control.priority import payable_climb
+from ftc_jsb.control.priority import Budget, payable_climb
 from ftc_jsb.point_mass.model import Condition
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord
 
@@ -55,7 +55,7 @@ def keep_inside_envelope(
         fastest = (m.valid_mach[1] - MACH_MARGIN) * at.sound_speed
         braking = SPEED_GAIN * (fastest - airspeed)
         acceleration = min(acceleration, braking)
-        idle = effectiveness * at.thrust_idle
+        idle = Budget(effectiveness * at.thrust_idle, 0.0)
         steepest = math.asin(payable_climb(at, idle, airspeed, math.cos(path), braking))
         path_rate = max(path_rate, PATH_GAIN * (steepest - path))
     return Rates(acceleration, path_rate, wanted.heading)

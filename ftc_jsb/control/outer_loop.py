@@ -21,7 +21,7 @@ from ftc_jsb.control.known_state import update_known_state
 from ftc_jsb.control.law import Rates
 from ftc_jsb.control.limits import limits_now
 from ftc_jsb.control.observer import observe, record_estimates
-from ftc_jsb.control.priority import put_speed_first
+from ftc_jsb.control.priority import Budget, put_speed_first
 from ftc_jsb.control.records import LoopArrays
 from ftc_jsb.control.start import start_loop
 from ftc_jsb.point_mass.model import at_condition
@@ -55,7 +55,8 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
     effectiveness = effectiveness_for_law(s, x, row)
     wanted = wanted_rates(s, x, row, state, errors)
     unpaid = drag_beyond_polar(s, x, at, row, state.airspeed, effectiveness.thrust)
-    wanted = put_speed_first(s, x, at, row, state, effectiveness.thrust, wanted)
+    budget = Budget(effectiveness.thrust * at.thrust_maximum, unpaid)
+    wanted = put_speed_first(s, x, at, row, state, budget, wanted)
     limits = limits_now(s, m, at, state.airspeed)
     wanted = keep_inside_envelope(s, m, x, at, state, effectiveness.thrust, limits, wanted)
     wanted = Rates(wanted.airspeed + unpaid, wanted.flight_path_angle, wanted.heading)

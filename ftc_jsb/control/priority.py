@@ -8,7 +8,7 @@ law, which is linear about u_n, gets no steps; where thrust suffices it is zero.
 """
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import Rates
@@ -25,20 +25,29 @@ PUSH = 0.5  # load factor that lowering or raising the path may take
 HALVINGS = 24  # of the turn's share: to 1e-7 of it
 
 
+class Budget(NamedTuple):
+    """What there is to pay with for acceleration, climb and turn."""
+
+    thrust: float  # that can be delivered, effectiveness included [N]
+    unpaid: float  # deceleration by drag that the polar does not know of [m/s^2]
+
+
 @compiled
 def payable_climb(
-    at: Condition, thrust: float, airspeed: float, load_factor: float, acceleration: float
+    at: Condition, budget: Budget, airspeed: float, load_factor: float, acceleration: float
 ) -> float:
-    """Sine of the path angle at which a delivered thrust [N] still gives an acceleration [m/s^2]."""
+    """Sine of the path angle at which a budget still gives an acceleration [m/s^2]."""
+    thrust = budget.thrust
     drag, alpha = polar_drag(at, airspeed, thrust, load_factor)
-    climb = ((thrust * math.cos(alpha) - drag) / at.mass - acceleration) / at.gravity
+    force = (thrust * math.cos(alpha) - drag) / at.mass - budget.unpaid
+    climb = (force - acceleration) / at.gravity
     return float(min(max(climb, -1.0), 1.0))
 
 
 @compiled
 def affordable(
     at: Condition,
-    thrust: float,
+    budget: Budget,
     airspeed: float,
     path: float,
     path_ref: float,
@@ -50,7 +59,7 @@ def affordable(
 
     Args:
         at: the model at this flight condition.
-        thrust: the most that can be delivered, effectiveness included [N].
+        budget: with the most thrust that can be delivered.
         airspeed, path: [m/s], [rad].
         path_ref: reference [rad].
         acceleration_ref, acceleration: that of the reference, and the one that is wanted [m/s^2].
@@ -62,14 +71,14 @@ def affordable(
     acceleration = acceleration_ref + min(acceleration - acceleration_ref, RECOVERY)
     level = math.cos(path)
     turn = airspeed / at.gravity * level * heading_rate  # level part of the load factor
-    climb = payable_climb(at, thrust, airspeed, math.hypot(level, turn), acceleration)
+    climb = payable_climb(at, budget, airspeed, math.hypot(level, turn), acceleration)
     floor = min(path_ref, 0.0)
     if climb >= math.sin(floor):
         return min(path_ref, math.asin(climb)), 1.0
-    share = _turn_share(at, thrust, airspeed, level, turn, acceleration, math.sin(floor))
+    share = _turn_share(at, budget, airspeed, level, turn, acceleration, math.sin(floor))
     if share > 0.0:
         return floor, share
-    straight = payable_climb(at, thrust, airspeed, level, acceleration)
+    straight = payable_climb(at, budget, airspeed, level, acceleration)
     return min(max(math.asin(straight), -DESCENT), floor), 0.0
 
 
@@ -98,7 +107,7 @@ def give_up(
 @compiled
 def _turn_share(
     at: Condition,
-    thrust: float,
+    budget: Budget,
     airspeed: float,
     level: float,
     turn: float,
@@ -106,12 +115,12 @@ def _turn_share(
     lowest: float,
 ) -> float:
     """Largest part of the turn at which the climb `lowest` can be paid for, by bisection."""
-    if payable_climb(at, thrust, airspeed, level, acceleration) < lowest:
+    if payable_climb(at, budget, airspeed, level, acceleration) < lowest:
         return 0.0
     low, high = 0.0, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        climb = payable_climb(at, thrust, airspeed, math.hypot(level, middle * turn), acceleration)
+        climb = payable_climb(at, budget, airspeed, math.hypot(level, middle * turn), acceleration)
         if climb >= lowest:
             low = middle
         else:
@@ -126,7 +135,7 @@ def put_speed_first(
     at: Condition,
     row: Row,
     state: PathState,
-    effectiveness: float,
+    budget: Budget,
     wanted: Rates,
 ) -> Rates:
     """Wanted rates less what is given up for want of thrust; as they are where the settings say so.
@@ -134,14 +143,14 @@ def put_speed_first(
     Args:
         s, x, at, row: settings and state of the loop, model at this condition, row of the recording.
         state: airspeed and path angle that the law is evaluated at.
-        effectiveness: of thrust.
+        budget: with the most thrust that can be delivered.
         wanted: by the references and errors.
     """
     path_rate, heading_rate = wanted.flight_path_angle, wanted.heading
     if s.speed_first == 1:
         target = affordable(
             at,
-            effectiveness * at.thrust_maximum,
+            budget,
             state.airspeed,
             state.flight_path_angle,
             row.flight_path_angle_ref,

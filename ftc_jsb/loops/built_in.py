@@ -38,15 +38,27 @@ class Kind(NamedTuple):
     integral: bool = False
     path: bool = False  # tracks position
     robust: bool = False  # covariances from the sensors, accelerometer, errors of the estimate
+    protected: bool = True  # upright, inside the envelope, speed first, measured drag paid for
 
 
 BUILT_IN = {
-    "ftc": Kind("the paper's: UKF estimate in the law (20)"),
+    "ftc": Kind("UKF estimate in the paper's law (20), with protections that the paper has not"),
     "no-ftc": Kind(
-        "same law and filter, effectiveness 1 in the law", effectiveness=ASSUMED_HEALTHY
+        "as ftc, effectiveness 1 in the law: the same filter and protections",
+        effectiveness=ASSUMED_HEALTHY,
     ),
-    "oracle": Kind("the true effectiveness in the law", effectiveness=TRUE),
-    "integral": Kind("no estimator, integral action", NO_ESTIMATOR, ASSUMED_HEALTHY, integral=True),
+    "law": Kind(
+        "the paper's alone: UKF (34), law (20), trim filter (10), nothing added", protected=False
+    ),
+    "law-no-ftc": Kind(
+        "the paper's alone without FTC: effectiveness 1 in the law",
+        effectiveness=ASSUMED_HEALTHY,
+        protected=False,
+    ),
+    "oracle": Kind("as ftc, the true effectiveness in the law", effectiveness=TRUE),
+    "integral": Kind(
+        "as no-ftc, no estimator, integral action", NO_ESTIMATOR, ASSUMED_HEALTHY, integral=True
+    ),
     "ekf": Kind("as ftc, with an extended Kalman filter", EXTENDED),
     "robust": Kind(
         "as ftc, for real sensors and turbulence: filter tuned by both, accelerometer", robust=True
@@ -93,10 +105,11 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["integral_gains"] = loop.integral_gains if kind.integral else 0.0
     s["track_path"] = kind.path
     s["path_gains"] = loop.path_gains
-    s["bank_share"] = loop.bank_share
-    s["drag_correction"] = loop.drag_correction
-    s["upright"] = bool(model[0]["response_frequency"][1] > 0.0)
-    s["speed_first"] = loop.priority == "speed"
+    if kind.protected:
+        s["bank_share"] = loop.bank_share
+        s["drag_correction"] = loop.drag_correction
+        s["speed_first"] = loop.priority == "speed"
+        s["upright"] = model[0]["response_frequency"][1] > 0.0  # the paper's aircraft has no lag
     s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
     s["effectiveness_floor"] = loop.effectiveness_floor
     if loop.response_lead:
