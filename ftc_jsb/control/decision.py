@@ -20,6 +20,7 @@ from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.vocabulary.channels import LOAD_FACTOR, THRUST
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, Row
 
+SUSTAINED_LAG = 2.0  # [s]: sideslip of a roll is over by then; that of a lost engine is not
 DRAG_LAG = 0.1  # [s]: of the measured drag in the law; vanes are noisy
 
 
@@ -132,7 +133,9 @@ def drag_beyond_polar(
     beyond = x.observer.drag_coefficient - polar / area
     if math.isfinite(beyond):
         x.drag_beyond += (1.0 - math.exp(-s.dt / DRAG_LAG)) * (beyond - x.drag_beyond)
-    return float(area * x.drag_beyond) / at.mass
+    unpaid = float(area * x.drag_beyond) / at.mass
+    x.sustained += (1.0 - math.exp(-s.dt / SUSTAINED_LAG)) * (unpaid - x.sustained)
+    return unpaid
 
 
 @compiled

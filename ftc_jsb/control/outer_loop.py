@@ -55,7 +55,7 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
     effectiveness = effectiveness_for_law(s, x, row)
     wanted = wanted_rates(s, x, row, state, errors)
     unpaid = drag_beyond_polar(s, x, at, row, state.airspeed, effectiveness.thrust)
-    budget = Budget(effectiveness.thrust * at.thrust_maximum, unpaid)
+    budget = Budget(effectiveness.thrust * at.thrust_maximum, x.sustained)
     wanted = put_speed_first(s, x, at, row, state, budget, wanted)
     limits = limits_now(s, m, at, state.airspeed)
     wanted = keep_inside_envelope(s, m, x, at, state, effectiveness.thrust, limits, wanted)

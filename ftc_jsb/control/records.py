@@ -84,6 +84,7 @@ LOOP_STATE = np.dtype(
         ("demand", float, (3,)),  # limited u of the previous sample
         ("integral", float, (3,)),  # of the tracking errors
         ("drag_beyond", float),  # measured drag coefficient less the polar's
+        ("sustained", float),  # deceleration [m/s^2] by it that lasts: what thrust has to pay for
         ("given_up", float, (2,)),  # path angle [rad] and part of the turn, for want of thrust
         ("inner_loop", INNER_LOOP),
     ]

@@ -21,7 +21,7 @@ def start_loop(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row
         x.demand[k] = x.trim[k]
         x.integral[k] = 0.0
     x.given_up[0], x.given_up[1] = 0.0, 0.0
-    x.drag_beyond = 0.0
+    x.drag_beyond, x.sustained = 0.0, 0.0
     lag = x.inner_loop
     for axis in range(2):
         lag.command[axis] = x.trim[1 + axis]
