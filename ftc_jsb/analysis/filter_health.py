@@ -37,7 +37,8 @@ def estimator_health(record: npt.NDArray[Any]) -> dict[str, float | None]:
         found[f"innovation_{name}_peak_sigmas"] = float(finite.max()) if finite.size else None
     error = record["effectiveness_thrust_est"] - record["effectiveness_thrust"]
     band = SIGMAS * record["effectiveness_thrust_std"]
-    found["effectiveness_thrust_inside_fraction"] = _part(np.abs(error) <= band, error)
+    inside = _part(np.abs(error) <= band, error)
+    found["effectiveness_thrust_inside_fraction"] = found["inside_two_sigma_fraction"] = inside
     return found
 
 

@@ -5,14 +5,18 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ftc_jsb.analysis.default_limits import flight_limits
 from ftc_jsb.analysis.fault_steps import fault_steps
 from ftc_jsb.analysis.filter_health import estimator_health
 from ftc_jsb.analysis.limits import broken_limits, tracking_errors
+from ftc_jsb.analysis.loss_of_control import LossOfControl, inverted, loss_of_control
+from ftc_jsb.analysis.verdict import verdict_of
 from ftc_jsb.loops.built_in import tuned_by_sensors
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.vocabulary.channels import Channel
 
 SETTLING = 2.0  # [s] after the start and after a fault step that the estimate is not judged in
+IMPACT = 10.0  # [m] above sea level: below, the ground pushes back
 HEALTHY = 1.0 - 1e-9  # effectiveness below which there is a fault
 
 Metrics = dict[str, Any]
@@ -24,32 +28,44 @@ def flight_metrics(flight: Flight) -> Metrics:
     A number that a flight cannot have is None: an estimation error without an estimator, a
     detection delay without a fault.
     """
-    record = flight.record
+    lost = loss_of_control(flight.record)
+    judged_flight = flight._replace(record=flight.record[: _judged_rows(flight, lost)])
+    record = judged_flight.record
+    broken = broken_limits(record, flight_limits(flight.scenario))
     return {
         "status": flight.outcome.status,
         "end_time_s": float(flight.outcome.time),
         "reason": flight.outcome.reason,
+        "verdict": verdict_of(flight.outcome.status, lost is not None, bool(broken)),
+        "loss_of_control_time_s": None if lost is None else lost.time,
+        "loss_of_control": None if lost is None else lost.kind,
+        "inverted_time_s": float(np.sum(inverted(flight.record)) * flight.row_period),
         **_tracking(record),
-        **_estimation(flight),
+        **_estimation(judged_flight),
         **_detection(record),
         "unobservable_fraction": {
             channel: None
             if tuned_by_sensors(flight.scenario.loop)
-            else _part(unobservable(flight, channel), flight.record[f"effectiveness_{channel}_std"])
+            else _part(unobservable(judged_flight, channel), record[f"effectiveness_{channel}_std"])
             for channel in flight.scenario.loop.estimator.channels
         },
         **estimator_health(record),
         **_effort(record),
         "real_time_factor": flight.real_time_factor,
-        "limits_broken": [
-            limit._asdict() for limit in broken_limits(record, flight.scenario.limits)
-        ],
+        "limits_broken": [limit._asdict() for limit in broken],
     }
 
 
-def passed(metrics: Metrics) -> bool:
-    """Whether a flight ended as planned, inside every limit."""
-    return metrics["status"] in ("complete", "ended") and not metrics["limits_broken"]
+def _judged_rows(flight: Flight, lost: LossOfControl | None) -> int:
+    """Rows that tracking, peaks and limits are of: up to the loss of control, or to the ground."""
+    record = flight.record
+    rows = record.size
+    if lost is not None:
+        rows = int(np.searchsorted(record["time"], lost.time))
+    elif flight.outcome.status == "departed":
+        low = np.flatnonzero(record["altitude"] < IMPACT)
+        rows = int(low[0]) if low.size else rows
+    return max(rows, 1)
 
 
 def _tracking(record: npt.NDArray[Any]) -> Metrics:

@@ -8,10 +8,12 @@ import numpy.typing as npt
 
 from ftc_jsb.analysis.limits import tracking_errors
 from ftc_jsb.recording.flight import Flight
+from ftc_jsb.scenario.schema import Agreement
 
 Array = npt.NDArray[np.float64]
 Answer = Literal["yes", "in part", "no"]
 
+IN_PART = 3.0  # times what is agreed: still worth something
 ACCEPTED = 0.3  # Theil's coefficient up to which a model is commonly taken to agree
 
 
@@ -101,21 +103,54 @@ def apart(point_mass: Flight, six_dof: Flight) -> Array:
     return np.asarray(np.sqrt(square))
 
 
-def judge(pairs: list[dict[str, Any]]) -> dict[str, Any]:
-    """Whether a point mass told the truth, over its pairs: the answer and what it hangs on.
+def judge(pairs: list[dict[str, Any]], agreement: Agreement) -> dict[str, Any]:
+    """Whether a point mass told the truth, over its pairs: the answer and the variable that decides.
 
-    "yes": the same verdict in every flight, and Theil's coefficient at most ACCEPTED for motion,
-    commands and tracking errors; "in part": tracking errors excepted; else "no".
+    "yes": the same verdict in every flight, and no RMS difference beyond what is agreed to be small;
+    "in part": the same verdicts, and none beyond IN_PART times that; else "no". Theil's coefficients
+    stand beside it.
 
     Args:
         pairs: entries of `validity` in metrics.json.
+        agreement: [compare.agreement] of the scenario.
     """
     motion, errors = (_worst(pairs, group) for group in (MOTION, ERRORS))
     same = all(pair["same_verdict"] for pair in pairs)
+    decides = _farthest(pairs, agreement)
     answer: Answer = "no"
-    if same and motion["theil"] <= ACCEPTED:
-        answer = "yes" if errors["theil"] <= ACCEPTED else "in part"
-    return {"answer": answer, "same_verdict": same, "motion": motion, "tracking_errors": errors}
+    if same and decides["times_agreed"] <= IN_PART:
+        answer = "yes" if decides["times_agreed"] <= 1.0 else "in part"
+    return {
+        "answer": answer,
+        "same_verdict": same,
+        "decides": decides,
+        "motion": motion,
+        "tracking_errors": errors,
+    }
+
+
+def _farthest(pairs: list[dict[str, Any]], agreement: Agreement) -> dict[str, Any]:
+    """The variable whose RMS difference is the largest multiple of what is agreed to be small."""
+    agreed = {
+        "airspeed_mps": ("airspeed", "m/s", agreement.airspeed),
+        "flight_path_deg": ("flight path", "deg", agreement.flight_path_deg),
+        "heading_deg": ("heading", "deg", agreement.heading_deg),
+        "position_m": ("position", "m", agreement.position),
+    }
+    found = [
+        {
+            "variable": key,
+            "title": title,
+            "unit": unit,
+            "rms": pair["variables"][key]["rms"],
+            "agreed": most,
+            "times_agreed": pair["variables"][key]["rms"] / most,
+        }
+        for pair in pairs
+        for key, (title, unit, most) in agreed.items()
+        if pair["variables"][key] is not None
+    ]
+    return max(found, key=lambda entry: float(entry["times_agreed"]))
 
 
 def _worst(pairs: list[dict[str, Any]], group: tuple[Variable, ...]) -> dict[str, Any]:

@@ -558,7 +558,7 @@ def _write_report(
     margins: Sequence[Any] = (),
 ) -> None:
     from ftc_jsb.report.page import write_report
-    from ftc_jsb.report.terminal_table import print_table
+    from ftc_jsb.report.terminal_table import print_effects, print_table
 
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
     document = write_report(flights, folder, command, unread, margins)
@@ -566,11 +566,12 @@ def _write_report(
         click.echo(json.dumps(document, indent=2))
     else:
         print_table(document["flights"])
+        print_effects(document["ftc_helped"])
         click.echo(f"Report: {folder / 'report.html'}")
 
 
 def _exit_by(metrics: dict[str, Any]) -> NoReturn:
-    from ftc_jsb.analysis.metrics import passed
+    from ftc_jsb.analysis.verdict import passed
 
     for limit in metrics["limits_broken"]:
         click.echo(
@@ -584,6 +585,12 @@ def _exit_by(metrics: dict[str, Any]) -> NoReturn:
     if metrics["status"] == "failed":
         click.echo(f"ftc-jsb: {metrics['reason']}; what was flown is saved", err=True)
         sys.exit(BAD_USAGE)
+    if metrics["loss_of_control"] is not None:
+        click.echo(
+            f"ftc-jsb: control lost at {metrics['loss_of_control_time_s']:.2f} s: "
+            f"{metrics['loss_of_control']}",
+            err=True,
+        )
     if metrics["status"] == "departed":
         click.echo(
             f"ftc-jsb: departed at {metrics['end_time_s']:.2f} s: {metrics['reason']}", err=True

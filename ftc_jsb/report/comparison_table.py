@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from ftc_jsb.analysis.metrics import passed
+from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.report.display_names import loop_title, model_title
 from ftc_jsb.report.flight_groups import by_scenario

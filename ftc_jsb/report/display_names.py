@@ -1,6 +1,7 @@
 """Names of models, loops, faults and verdicts as a reader knows them."""
 
 from ftc_jsb.analysis.metrics import Metrics
+from ftc_jsb.analysis.verdict import LOST, reservations
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.vocabulary.signals import SENSED
 
@@ -82,10 +83,15 @@ def air_and_sensors(scenario: Scenario) -> list[str]:
 
 
 def verdict(metrics: Metrics) -> str:
-    """How a flight ended, in a few words."""
-    if metrics["status"] != "complete":
-        return f"{metrics['status']} at {metrics['end_time_s']:.1f} s"
+    """How a flight ended, and what else is to be said of it, in a few words."""
+    found = str(metrics["verdict"])
     broken = metrics["limits_broken"]
-    if not broken:
-        return "inside limits"
-    return f"limit broken: {limit_title(broken[0]['name'])} at {broken[0]['time']:.1f} s"
+    if metrics["status"] != "complete":
+        found = f"{metrics['status']} at {metrics['end_time_s']:.1f} s"
+    elif found == LOST:
+        found = (
+            f"{LOST}: {metrics['loss_of_control']} from {metrics['loss_of_control_time_s']:.1f} s"
+        )
+    elif broken:
+        found = f"limit broken: {limit_title(broken[0]['name'])} at {broken[0]['time']:.1f} s"
+    return "; ".join([found, *reservations(metrics)])

@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ftc_jsb.analysis.command_following import response_metrics
-from ftc_jsb.analysis.metrics import Metrics, flight_metrics, passed
+from ftc_jsb.analysis.ftc_effect import effects
+from ftc_jsb.analysis.metrics import Metrics, flight_metrics
 from ftc_jsb.analysis.residuals import Residuals, flight_residuals, residual_metrics
 from ftc_jsb.analysis.stability import flight_theory, stability_metrics
 from ftc_jsb.analysis.validity import compare_flights, judge
@@ -58,6 +59,7 @@ def find(flights: Flights, margins: Sequence[KnownMargins] = ()) -> Findings:
     validity = _validity(flights, metrics)
     document = {
         "flights": metrics,
+        "ftc_helped": effects(flights, metrics),
         "with_and_without": [_ratio(a, b, metrics) for a, b in loop_pairs(flights)],
         "validity": validity,
         "point_mass_told_the_truth": _truth(flights, validity),
@@ -81,7 +83,7 @@ def _validity(flights: Flights, metrics: dict[str, Metrics]) -> list[dict[str, A
         {
             "point_mass": one,
             "jsbsim": other,
-            "same_verdict": passed(metrics[one]) == passed(metrics[other]),
+            "same_verdict": metrics[one]["verdict"] == metrics[other]["verdict"],
             "variables": compare_flights(flights[one], flights[other]),
         }
         for one, other in model_pairs(flights)
@@ -97,7 +99,9 @@ def _truth(flights: Flights, validity: list[dict[str, Any]]) -> list[dict[str, A
             if pair["point_mass"] in members:
                 title = model_title(flights[pair["point_mass"]].scenario)
                 models.setdefault(title, []).append(pair)
+        agreement = next(iter(members.values())).scenario.compare.agreement
         answers += [
-            {"scenario": name, "model": title, **judge(pairs)} for title, pairs in models.items()
+            {"scenario": name, "model": title, **judge(pairs, agreement)}
+            for title, pairs in models.items()
         ]
     return answers

@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from ftc_jsb.analysis.metrics import passed
-from ftc_jsb.analysis.validity import ACCEPTED
+from ftc_jsb.analysis.ftc_effect import HELPED, HURT, NO_DIFFERENCE
+from ftc_jsb.analysis.verdict import LOST, passed, reservations
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.report.display_names import (
     air_and_sensors,
@@ -21,7 +21,7 @@ from ftc_jsb.report.quoted_numbers import quote
 
 Flights = Mapping[str, Flight]
 Document = dict[str, Any]
-INTOLERANT = ("no-ftc",)  # loops that take every actuator for healthy
+INTOLERANT = ("no-ftc", "law-no-ftc")  # loops that take every actuator for healthy
 LEAST_GIVEN_UP = 0.1  # [deg] or [deg/s]: less is not worth a word
 GOOD, HALF, BAD = "good", "half", "bad"
 
@@ -42,6 +42,7 @@ class Screen(NamedTuple):
     flown: list[str]
     faulty: bool
     tolerated: list[Answer]
+    helped: list[Answer]
     truth: list[Answer]
 
 
@@ -54,6 +55,11 @@ def first_screen(flights: Flights, document: Document) -> list[Screen]:
             any(map(fault_times, members.values())),
             [_tolerated(label, members, document) for label in _judged(members)],
             [
+                _helped(index, members, document)
+                for index, pair in enumerate(document["ftc_helped"])
+                if pair["with_ftc"] in members
+            ],
+            [
                 _truth(index, document)
                 for index, entry in enumerate(document["point_mass_told_the_truth"])
                 if entry["scenario"] == name
@@ -64,16 +70,20 @@ def first_screen(flights: Flights, document: Document) -> list[Screen]:
 
 
 def verdict(document: Document, label: str) -> Markup:
-    """How a flight ended, its time quoted."""
+    """How a flight ended, its time quoted, and what else is to be said of it."""
     metrics = document["flights"][label]
+    found = Markup(metrics["verdict"])
     if metrics["status"] != "complete":
         end = quote(document, ("flights", label, "end_time_s"), 1)
-        return Markup("{} at {} s").format(metrics["status"], end)
-    if passed(metrics):
-        return Markup("inside limits")
-    at = quote(document, ("flights", label, "limits_broken", 0, "time"), 1)
-    name = limit_title(metrics["limits_broken"][0]["name"])
-    return Markup("limit broken: {} at {} s").format(name, at)
+        found = Markup("{} at {} s").format(metrics["status"], end)
+    elif metrics["verdict"] == LOST:
+        at = quote(document, ("flights", label, "loss_of_control_time_s"), 1)
+        found = Markup("{}: {} from {} s").format(LOST, metrics["loss_of_control"], at)
+    elif metrics["limits_broken"]:
+        at = quote(document, ("flights", label, "limits_broken", 0, "time"), 1)
+        name = limit_title(metrics["limits_broken"][0]["name"])
+        found = Markup("limit broken: {} at {} s").format(name, at)
+    return Markup("; ").join([found, *reservations(metrics)])
 
 
 def _flown(flight: Flight) -> list[str]:
@@ -108,16 +118,23 @@ def _tolerated(label: str, members: Flights, document: Document) -> Answer:
         verdict(document, label), quote(document, ("flights", label, "rmse_airspeed_mps"), 3)
     )
     sentence += _given_up(label, document)
-    for index, pair in enumerate(document["with_and_without"]):
-        if pair["with_ftc"] != label:
-            continue
-        other = pair["without_ftc"]
-        sentence += Markup(". Without FTC: {}, {} m/s, {} times as much").format(
-            verdict(document, other),
-            quote(document, ("flights", other, "rmse_airspeed_mps"), 2),
-            quote(document, ("with_and_without", index, "ratio", "rmse_airspeed_mps"), 1),
-        )
     return Answer(GOOD if good else BAD, "Yes" if good else "No", subject, sentence)
+
+
+def _helped(index: int, members: Flights, document: Document) -> Answer:
+    """Whether FTC helped, of a pair of flights, with the numbers that say so."""
+    pair = document["ftc_helped"][index]
+    place = ("ftc_helped", index)
+    kind = {HELPED: GOOD, NO_DIFFERENCE: HALF, HURT: BAD}[pair["answer"]]
+    scenario = members[pair["with_ftc"]].scenario
+    sentence = Markup("airspeed RMSE {} m/s with {}, {} m/s with {} ({})").format(
+        quote(document, (*place, "rmse_airspeed_with_mps"), 3),
+        loop_title(scenario),
+        quote(document, (*place, "rmse_airspeed_without_mps"), 2),
+        loop_title(members[pair["without_ftc"]].scenario),
+        verdict(document, pair["without_ftc"]),
+    )
+    return Answer(kind, pair["answer"].capitalize(), model_title(scenario), sentence)
 
 
 def _given_up(label: str, document: Document) -> Markup:
@@ -135,13 +152,20 @@ def _given_up(label: str, document: Document) -> Markup:
 
 def _truth(index: int, document: Document) -> Answer:
     entry = document["point_mass_told_the_truth"][index]
+    place = ("point_mass_told_the_truth", index)
     kind = {"yes": GOOD, "in part": HALF, "no": BAD}[entry["answer"]]
-    clauses = ["same verdicts as JSBSim" if entry["same_verdict"] else "not the verdicts of JSBSim"]
-    text = Markup("{}").format(clauses[0])
+    same = "same verdicts as JSBSim" if entry["same_verdict"] else "not the verdicts of JSBSim"
+    text = Markup("{}; {} differs by {} {} RMS, {} times the {:g} {} agreed").format(
+        same,
+        entry["decides"]["title"],
+        quote(document, (*place, "decides", "rms"), 3),
+        entry["decides"]["unit"],
+        quote(document, (*place, "decides", "times_agreed"), 1),
+        entry["decides"]["agreed"],
+        entry["decides"]["unit"],
+    )
     for part, name in (("motion", "motion and commands"), ("tracking_errors", "tracking errors")):
-        agrees = entry[part]["theil"] <= ACCEPTED
-        coefficient = quote(document, ("point_mass_told_the_truth", index, part, "theil"), 2)
-        text += Markup("; {} {} (largest U {}, {})").format(
-            name, "agree" if agrees else "do not", coefficient, entry[part]["title"].lower()
-        )
+        coefficient = quote(document, (*place, part, "theil"), 2)
+        title = entry[part]["title"].lower()
+        text += Markup("; largest U of {} {} ({})").format(name, coefficient, title)
     return Answer(kind, entry["answer"].capitalize(), entry["model"], text)

@@ -1,6 +1,9 @@
 """The result table on the terminal."""
 
-from ftc_jsb.analysis.metrics import Metrics, passed
+from typing import Any
+
+from ftc_jsb.analysis.metrics import Metrics
+from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.report.display_names import verdict
 from ftc_jsb.report.metric_formats import NUMBERS, present, shown
 
@@ -12,6 +15,15 @@ COLUMNS = (
     "detection_delay_s",
 )  # what fits beside each other on 80 columns; the report has the rest
 HEADINGS = ("V\n[m/s]", "path\n[deg]", "heading\n[deg]", "k error", "found\n[s]")
+
+
+def print_effects(effects: list[dict[str, Any]]) -> None:
+    """Print whether FTC helped, a line for each pair of flights."""
+    for pair in effects:
+        one, two = pair["rmse_airspeed_with_mps"], pair["rmse_airspeed_without_mps"]
+        numbers = "" if one is None or two is None else f", airspeed RMSE {one:.3g} / {two:.3g} m/s"
+        flights = f"{pair['with_ftc']} / {pair['without_ftc']}"
+        print(f"Did FTC help? {pair['scenario']}, {flights}: {pair['answer']}{numbers}")
 
 
 def print_table(metrics: dict[str, Metrics]) -> None:

@@ -51,11 +51,21 @@ class Simulation(Section):
     record_every: int = Field(1, ge=1, le=10000)  # samples a row of the saved recording
 
 
+class Agreement(Section):
+    """[compare.agreement]: RMS differences up to which a point mass and the 6-DOF aircraft agree."""
+
+    airspeed: float = Field(0.3, gt=0.0, le=1e3)  # m/s
+    flight_path_deg: float = Field(0.1, gt=0.0, le=90.0)
+    heading_deg: float = Field(0.2, gt=0.0, le=180.0)
+    position: float = Field(25.0, gt=0.0, le=1e6)  # m
+
+
 class Compare(Section):
     """[compare]: what `compare` flies."""
 
     models: Annotated[tuple[Model, ...], Field(min_length=1)] = ("paper", "identified", "jsbsim")
     loops: Annotated[tuple[Text, ...], Field(min_length=1)] = ("ftc", "no-ftc")
+    agreement: Agreement = Agreement()
 
     @model_validator(mode="after")
     def _distinct(self) -> Self:

@@ -1,0 +1,90 @@
+"""Loss of control: when it begins, and as what."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+Mask = npt.NDArray[np.bool_]
+
+INVERTED = math.radians(100.0)  # [rad] of bank: no reference asks for it
+INVERTED_TIME = 0.5  # [s] without a break
+STALLED = (math.radians(-20.0), math.radians(35.0))  # [rad], angle of attack
+SLIPPED = math.radians(20.0)  # [rad], sideslip
+RATES = (4.5, 2.0, 1.5)  # [rad/s] of roll, pitch and yaw: beyond what the inner loops ask for
+DEPARTED_TIME = 0.2  # [s] without a break
+LOST_AIRSPEED = 0.3  # of the reference
+LOST_PATH = math.radians(30.0)  # [rad]
+LOST_HEADING = math.radians(90.0)  # [rad]
+GROWING = 5.0  # [s] over which an error that is lost has grown
+
+
+class LossOfControl(NamedTuple):
+    """When control was lost [s], and as what."""
+
+    time: float
+    kind: str
+
+
+def loss_of_control(record: npt.NDArray[Any]) -> LossOfControl | None:
+    """The first loss of control of a flight; None where there is none.
+
+    Inverted: bank beyond 100 deg for half a second. Departed: angle of attack, sideslip or body rates
+    beyond what an airframe is flown at. Diverging: an error of tracking that is large and has grown for 5 s.
+    """
+    if record.size < 2:
+        return None
+    period = float(record["time"][1] - record["time"][0])
+    alpha, sideslip = record["alpha"], record["sideslip"]
+    rates = [record[f"{axis}_rate"] for axis in ("roll", "pitch", "yaw")]
+    fast = np.any([np.abs(rate) > most for rate, most in zip(rates, RATES, strict=True)], axis=0)
+    kinds = {
+        "inverted": (inverted(record), INVERTED_TIME),
+        "angle of attack": ((alpha < STALLED[0]) | (alpha > STALLED[1]), DEPARTED_TIME),
+        "sideslip": (np.abs(sideslip) > SLIPPED, DEPARTED_TIME),
+        "body rates": (fast, DEPARTED_TIME),
+        "airspeed diverges": (_diverging(_airspeed_error(record), LOST_AIRSPEED, period), 0.0),
+        "flight path diverges": (_diverging(_error(record, "flight_path_angle"), LOST_PATH, period), 0.0),
+        "heading diverges": (_diverging(_error(record, "heading"), LOST_HEADING, period), 0.0),
+    }  # fmt: skip
+    found = [
+        LossOfControl(float(record["time"][first]), kind)
+        for kind, (where, seconds) in kinds.items()
+        if (first := _first_lasting(where, round(seconds / period))) is not None
+    ]
+    return min(found, default=None)
+
+
+def inverted(record: npt.NDArray[Any]) -> Mask:
+    """(rows,): samples on the back."""
+    bank = record["bank_angle"]
+    return np.asarray(np.abs(np.arctan2(np.sin(bank), np.cos(bank))) > INVERTED)
+
+
+def _error(record: npt.NDArray[Any], name: str) -> Array:
+    return np.asarray(np.abs(record[name] - record[f"{name}_ref"]))
+
+
+def _airspeed_error(record: npt.NDArray[Any]) -> Array:
+    return np.asarray(_error(record, "airspeed") / record["airspeed_ref"])
+
+
+def _diverging(error: Array, most: float, period: float) -> Mask:
+    """Where an error is beyond `most` and larger than it was GROWING ago, when it was not small."""
+    steps = max(round(GROWING / period), 1)
+    result = np.zeros(error.size, dtype=bool)
+    if error.size > steps:
+        before = error[:-steps]
+        result[steps:] = (error[steps:] > most) & (error[steps:] > before) & (before > 0.5 * most)
+    return result
+
+
+def _first_lasting(where: Mask, rows: int) -> int | None:
+    """First row of the first stretch of at least `rows` rows at which something holds."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], where.astype(np.int8), [0]])))
+    for start, end in zip(edges[::2], edges[1::2], strict=True):
+        if end - start >= max(rows, 1):
+            return int(start)
+    return None
