@@ -54,9 +54,7 @@ def _imported(path: Path) -> tuple[Path, ...]:
     """Files of this package that a file names in its imports."""
     text = _contents(path).decode()
     named = [match[1:].split(".") for match in _IMPORT.findall(text)]
-    for package, names in _NAMES.findall(
-        text
-    ):  # `from ftc_jsb.theory import solve` is a module, too
+    for package, names in _NAMES.findall(text):  # `from ftc_jsb.theory import law` is a module, too
         within = [part for part in package.split(".") if part]
         named += [[*within, name.split()[0]] for name in names.split(",") if name.strip()]
     return tuple(file for parts in named if (file := _file(parts)) is not None)

@@ -13,8 +13,8 @@ from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.assembly import blank_recording
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.theory.generated import generate
-from ftc_jsb.theory.joint_filter import make_filter
-from ftc_jsb.theory.law import make_law
+from ftc_jsb.theory.joint_filter import FilterSettings, make_filter
+from ftc_jsb.theory.law import Reference, make_law
 from ftc_jsb.theory.linearization import linearize
 from ftc_jsb.theory.systems import fighter_by_velocity
 from validation.flights import measured
@@ -31,14 +31,15 @@ def cost_table() -> Iterator[str]:
     kernels = generate(linearize(fighter_by_velocity()))
     law = make_law(kernels)
     x, u, k = np.array([300.0, 0.0, 0.1]), np.array([4e4, 2.0, 0.5]), np.ones(3)
-    arguments = (x, u, k, kernels.parameters, x, np.eye(3), x.copy(), np.zeros(15), np.zeros(3))
+    wanted = Reference(x.copy(), x)
+    arguments = (x, u, k, kernels.parameters, wanted, np.eye(3), np.zeros(12), np.zeros(3))
     law(*arguments)
     loop.step(0)
     estimate = make_filter(kernels, 3, 3, 3)
     noise = np.array([1e-10, 1e-10, 1e-3, 1e-10, 1e-10, 1e-10])
     given_filter = (
-        np.concatenate([x, k]), np.diag(1e2 * noise), u, x.copy(), kernels.parameters, noise,
-        noise[:3].copy(), 3.0, 0.05, 0.01,
+        np.concatenate([x, k]), np.diag(1e2 * noise), u, x.copy(), kernels.parameters,
+        FilterSettings(noise, noise[:3].copy(), spread=3.0, floor=0.05, dt=0.01),
     )  # fmt: skip
     estimate(*given_filter)
     yield "| step | µs |"

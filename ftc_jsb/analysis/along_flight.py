@@ -7,7 +7,7 @@ from ftc_jsb.recording.flight import Flight
 from ftc_jsb.theory.gains import given_gains
 from ftc_jsb.theory.generated import generate
 from ftc_jsb.theory.linearization import linearize
-from ftc_jsb.theory.lyapunov import Stability, stability
+from ftc_jsb.theory.lyapunov import LyapunovBound, lyapunov_bound
 from ftc_jsb.theory.systems import fighter_by_velocity
 
 Array = npt.NDArray[np.float64]
@@ -15,7 +15,7 @@ OUTPUTS = ("airspeed", "flight_path_angle", "heading")
 SCALE = np.array([1.0, np.radians(1.0), np.radians(1.0)])  # 1 m/s, 1 deg, 1 deg: (40) adds them
 
 
-def flight_stability(flight: Flight, young: float = 0.5) -> Stability:
+def flight_stability(flight: Flight, young: float = 0.5) -> LyapunovBound:
     """V(t), lambda, phi and the ball of (40) along a flight of a loop that tracks velocity.
 
     The errors are scaled by 1 m/s and 1 deg. What the law did not count on, P x~ and O(.) of the
@@ -34,7 +34,7 @@ def flight_stability(flight: Flight, young: float = 0.5) -> Stability:
     k = np.diag(flight.scenario.loop.gains)
     residual = (rate - wanted) / SCALE + error / SCALE @ k.T
     gains = given_gains(np.zeros((3, 3)), np.eye(3), k)
-    return stability(time, error / SCALE, residual, np.eye(3), gains, young)
+    return lyapunov_bound(time, error / SCALE, residual, np.eye(3), gains, young)
 
 
 def flight_remainder(flight: Flight, delay: float | None = None) -> Array:

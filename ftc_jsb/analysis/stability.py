@@ -3,13 +3,13 @@
 from typing import Any
 
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.theory.lyapunov import Stability
+from ftc_jsb.theory.lyapunov import LyapunovBound
 
 TRACK_VELOCITY = ("ftc", "no-ftc", "oracle", "ekf")  # whose error obeys e' = (A - B K) e + B d
 FEWEST = 3  # samples: rates are central differences
 
 
-def flight_theory(flight: Flight) -> Stability | None:
+def flight_theory(flight: Flight) -> LyapunovBound | None:
     """The proof's quantities; None for a loop that the proof is not about, or a flight too short."""
     gains = flight.scenario.loop.gains
     if flight.scenario.loop.name not in TRACK_VELOCITY or min(gains) <= 0.0:
@@ -22,7 +22,7 @@ def flight_theory(flight: Flight) -> Stability | None:
     return flight_stability(flight)
 
 
-def stability_metrics(theory: Stability | None) -> dict[str, Any] | None:
+def stability_metrics(theory: LyapunovBound | None) -> dict[str, Any] | None:
     """lambda, phi, the ball and the largest error, scaled by 1 m/s and 1 deg."""
     if theory is None:
         return None

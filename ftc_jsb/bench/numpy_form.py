@@ -4,7 +4,7 @@ Plant, UKF, law, limits and filters as a reader with the paper in hand would wri
 sigma points, no kernels; a test sees that it flies the same flight.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,15 @@ from ftc_jsb.scenario.reference import raw_commands
 from ftc_jsb.scenario.schema import Scenario
 
 Array = npt.NDArray[np.float64]
+
+
+class _Tuning(NamedTuple):
+    """Numbers of the filter."""
+
+    q: Array  # (states, states), covariance of the process noise a step
+    r: Array  # (outputs, outputs), of the measurement noise
+    spread: float  # n_a + kappa
+    dt: float  # [s]
 
 
 def fly_in_numpy(scenario: Scenario, model: Any, trim_thrust: float, samples: int) -> Array:
@@ -35,8 +44,12 @@ def fly_in_numpy(scenario: Scenario, model: Any, trim_thrust: float, samples: in
     )[0]
     transition, from_now, from_next = held["transition"], held["from_now"], held["from_next"]
     follow = np.stack([raw[0], np.zeros(3)])  # value and slope of the references
-    q = np.diag(loop.estimator.process_noise)
-    r = np.diag(loop.estimator.measurement_noise)
+    tuning = _Tuning(
+        np.diag(loop.estimator.process_noise),
+        np.diag(loop.estimator.measurement_noise),
+        loop.estimator.spread,
+        dt,
+    )
     gains = np.array(loop.gains)
     x = np.array([*raw[0], 0.0, 0.0, scenario.initial.altitude])
     estimate, covariance = np.append(x[:3], 1.0), np.diag(loop.estimator.initial_covariance)
@@ -49,9 +62,7 @@ def fly_in_numpy(scenario: Scenario, model: Any, trim_thrust: float, samples: in
     for i in range(samples):
         measurement = x[:3].copy()
         if i > 0:
-            estimate, covariance = _filter(
-                model, estimate, covariance, u, measurement, q, r, loop.estimator.spread, dt
-            )
+            estimate, covariance = _filter(model, estimate, covariance, u, measurement, tuning)
         result[i, :3], result[i, 3], result[i, 4] = x[:3], x[5], estimate[3]
         wanted = follow[1] - gains * (measurement - follow[0])
         u = trim + _law(model, estimate, trim, wanted, loop.effectiveness_floor)
@@ -94,22 +105,22 @@ def _runge_kutta(model: Any, x: Array, u: Array, dt: float) -> Array:
 
 
 def _filter(
-    model: Any, x: Array, p: Array, u: Array, y: Array, q: Array, r: Array, spread: float, dt: float
+    model: Any, x: Array, p: Array, u: Array, y: Array, tuning: _Tuning
 ) -> tuple[Array, Array]:
     """(26)-(34) in the reduced form."""
-    n = len(x)
-    root = np.linalg.cholesky(spread * p)
-    points = np.column_stack([x, x[:, None] + root, x[:, None] - root])
-    weights = np.full(2 * n + 1, 0.5 / spread)
-    weights[0] = 1.0 - n / spread
+    n, r = len(x), tuning.r
+    root = np.linalg.cholesky(tuning.spread * p)
+    points = np.column_stack([x, x[:, None] + root, x[:, None] - root])  # (26)
+    weights = np.full(2 * n + 1, 0.5 / tuning.spread)  # (29)
+    weights[0] = 1.0 - n / tuning.spread
     inputs = np.stack([u[0] * points[3], *(np.full(2 * n + 1, value) for value in u[1:])])
-    points[:3] = _runge_kutta(model, points[:3], inputs, dt)
-    mean = points[:, 0] + (points - points[:, :1]) @ weights
+    points[:3] = _runge_kutta(model, points[:3], inputs, tuning.dt)  # (27)
+    mean = points[:, 0] + (points - points[:, :1]) @ weights  # (28)
     away = points - mean[:, None]
-    p = (away * weights) @ away.T + q
-    gain = np.linalg.solve(p[:3, :3] + r, p[:3]).T
+    p = (away * weights) @ away.T + tuning.q  # (30)
+    gain = np.linalg.solve(p[:3, :3] + r, p[:3]).T  # (31)-(33): the outputs are the first states
     keep = np.eye(n) - np.pad(gain, ((0, 0), (0, n - 3)))
-    return mean + gain @ (y - mean[:3]), keep @ p @ keep.T + gain @ r @ gain.T
+    return mean + gain @ (y - mean[:3]), keep @ p @ keep.T + gain @ r @ gain.T  # (34)
 
 
 def _law(model: Any, estimate: Array, trim: Array, wanted: Array, floor: float) -> Array:

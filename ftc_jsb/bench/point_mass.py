@@ -2,11 +2,9 @@
 
 import statistics
 import time
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 
 from ftc_jsb.bench.numpy_form import fly_in_numpy
-from ftc_jsb.bench.timing import in_turns, ratio
+from ftc_jsb.bench.timing import in_turns, in_two_processes, ratio
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.assembly import point_mass_of
@@ -78,13 +76,8 @@ def measure_flights(cases: int = 60) -> dict[str, float]:
     scenarios = dispersed(cases)
     _batch_seconds(scenarios[:2])
     one = cases / statistics.median(_batch_seconds(scenarios) for _ in range(3))
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        list(
-            pool.map(_batch_seconds, [scenarios[:2]] * 4)
-        )  # both processes have started and loaded
-        started = time.perf_counter()
-        list(pool.map(_batch_seconds, [scenarios] * 2))
-        two = 2 * cases / (time.perf_counter() - started)
+    elapsed = in_two_processes(_batch_seconds, [scenarios[:2]] * 4, [scenarios] * 2)
+    two = 2 * cases / elapsed
     return {"point_mass_flights_per_s": one, "point_mass_flights_per_s_2_processes": two}
 
 

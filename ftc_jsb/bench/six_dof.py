@@ -1,12 +1,10 @@
 """JSBSim flights: against the bare loop of the same aircraft, flights a second, a second outer loop."""
 
 import time
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 from statistics import median
 from typing import Any
 
-from ftc_jsb.bench.timing import in_turns
+from ftc_jsb.bench.timing import in_turns, in_two_processes
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.loops.registry import build_loop
 from ftc_jsb.scenario.load import load_scenario
@@ -85,9 +83,6 @@ def _flight_seconds(scenario: Scenario) -> float:
 def measure_flights(scenario: Scenario, flights: int = 4) -> dict[str, float]:
     """JSBSim flights a second, weaving and trim included, in one process and in two."""
     one = 1.0 / median(_flight_seconds(scenario) for _ in range(flights))
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        list(pool.map(_flight_seconds, [scenario] * 2))  # both processes have started and loaded
-        started = time.perf_counter()
-        list(pool.map(_flight_seconds, [scenario] * (2 * flights)))
-        two = 2 * flights / (time.perf_counter() - started)
+    elapsed = in_two_processes(_flight_seconds, [scenario] * 2, [scenario] * (2 * flights))
+    two = 2 * flights / elapsed
     return {"six_dof_flights_per_s": one, "six_dof_flights_per_s_2_processes": two}

@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 from ftc_jsb.bench import estimator, point_mass, six_dof, startup
 
-Found = dict[str, float | None]
+Measured = dict[str, float | None]
 
 
-class Target(NamedTuple):
+class Figure(NamedTuple):
     """A figure and its bound."""
 
     key: str
@@ -19,39 +19,39 @@ class Target(NamedTuple):
     least: float | None = None
 
 
-FIGURES = (
-    Target("six_dof_ratio", "JSBSim flight with recording / bare run() loop", most=1.5),
-    Target("six_dof_us_per_sample", "µs a sample of that flight, best chunk"),
-    Target("six_dof_bare_us_per_sample", "µs a sample of the bare loop, best chunk"),
-    Target("second_loop_us_per_step", "a second outer loop in the same flight, µs a step", most=5.0),
-    Target("ukf_vs_filterpy", "FilterPy's UKF step / ours", least=100.0),
-    Target("ukf_vs_augmented", "augmented reference form in NumPy / ours"),
-    Target("ukf_us", "UKF step called from Python, µs"),
-    Target("point_mass_us_per_step", "point-mass flight, µs a step", most=1.5),
-    Target("point_mass_us_per_step_best", "the same, best flight"),
-    Target("point_mass_60_s_ms", "60 s of point-mass flight, ms", most=10.0),
-    Target("point_mass_vs_numpy", "the same loop in NumPy / ours", least=100.0),
-    Target("numpy_us_per_step", "the loop in NumPy, µs a step"),
-    Target("hour_vs_minute_per_step", "a step in 1 h of flight / in 1 min"),
-    Target("point_mass_flights_per_s", "dispersed point-mass flights a second, one process"),
-    Target("point_mass_flights_per_s_2_processes", "the same, two processes"),
-    Target("six_dof_flights_per_s", "JSBSim flights a second, one process"),
-    Target("six_dof_flights_per_s_2_processes", "the same, two processes"),
-    Target("mavlink_core_share", "MAVLink vehicle, share of a core at 1 x"),
-    Target("help_s", "ftc-jsb --help, s", most=0.4),
-    Target("list_s", "ftc-jsb list, s"),
-    Target("check_paper_s", "ftc-jsb check paper, point mass only, s"),
-    Target("fly_paper_s", "ftc-jsb fly paper, s", most=1.5),
-    Target("first_run_s", "ftc-jsb fly paper, kernels not yet compiled, s", most=15.0),
-    Target("peak_rss_mb", "peak memory of ftc-jsb fly paper, MB"),
+FIGURES: tuple[Figure, ...] = (
+    Figure("six_dof_ratio", "JSBSim flight with recording / bare run() loop", most=1.5),
+    Figure("six_dof_us_per_sample", "µs a sample of that flight, best chunk"),
+    Figure("six_dof_bare_us_per_sample", "µs a sample of the bare loop, best chunk"),
+    Figure("second_loop_us_per_step", "a second outer loop in the same flight, µs a step", most=5.0),
+    Figure("ukf_vs_filterpy", "FilterPy's UKF step / ours", least=100.0),
+    Figure("ukf_vs_augmented", "augmented reference form in NumPy / ours"),
+    Figure("ukf_us", "UKF step called from Python, µs"),
+    Figure("point_mass_us_per_step", "point-mass flight, µs a step", most=1.5),
+    Figure("point_mass_us_per_step_best", "the same, best flight"),
+    Figure("point_mass_60_s_ms", "60 s of point-mass flight, ms", most=10.0),
+    Figure("point_mass_vs_numpy", "the same loop in NumPy / ours", least=100.0),
+    Figure("numpy_us_per_step", "the loop in NumPy, µs a step"),
+    Figure("hour_vs_minute_per_step", "a step in 1 h of flight / in 1 min"),
+    Figure("point_mass_flights_per_s", "dispersed point-mass flights a second, one process"),
+    Figure("point_mass_flights_per_s_2_processes", "the same, two processes"),
+    Figure("six_dof_flights_per_s", "JSBSim flights a second, one process"),
+    Figure("six_dof_flights_per_s_2_processes", "the same, two processes"),
+    Figure("mavlink_core_share", "MAVLink vehicle, share of a core at 1 x"),
+    Figure("help_s", "ftc-jsb --help, s", most=0.4),
+    Figure("list_s", "ftc-jsb list, s"),
+    Figure("check_paper_s", "ftc-jsb check paper, point mass only, s"),
+    Figure("fly_paper_s", "ftc-jsb fly paper, s", most=1.5),
+    Figure("first_run_s", "ftc-jsb fly paper, kernels not yet compiled, s", most=15.0),
+    Figure("peak_rss_mb", "peak memory of ftc-jsb fly paper, MB"),
 )  # fmt: skip
 
 
-def measure_all(say: Callable[[str], None]) -> Found:
+def measure_all(progress: Callable[[str], None]) -> Measured:
     """Every figure of FIGURES; None where a part that it needs is not installed.
 
     Args:
-        say: told what is measured next.
+        progress: told what is measured next.
     """
     scenario = six_dof.six_dof_scenario()
     parts: tuple[tuple[str, Callable[[], Any]], ...] = (
@@ -66,20 +66,20 @@ def measure_all(say: Callable[[str], None]) -> Found:
         ("JSBSim flights a second", lambda: six_dof.measure_flights(scenario)),
         ("MAVLink", measure_mavlink_share),
     )
-    found: Found = dict.fromkeys((figure.key for figure in FIGURES), None)
+    found: Measured = dict.fromkeys((figure.key for figure in FIGURES), None)
     for number, (title, measure) in enumerate(parts, 1):
-        say(f"[{number}/{len(parts)}] {title}")
+        progress(f"[{number}/{len(parts)}] {title}")
         found.update(measure())
     return found
 
 
-def _median_ratio(scenario: Any) -> Found:
+def _median_ratio(scenario: Any) -> Measured:
     """Of three flights, the first of which warms up."""
     flights = [six_dof.measure_ratio(scenario) for _ in range(4)][1:]
     return {key: statistics.median(flight[key] for flight in flights) for key in flights[0]}
 
 
-def measure_mavlink_share() -> Found:
+def measure_mavlink_share() -> Measured:
     """Share of a core that the MAVLink vehicle takes; None without it."""
     try:
         mavlink = import_module("ftc_jsb.bench.mavlink")
@@ -88,7 +88,7 @@ def measure_mavlink_share() -> Found:
     return {"mavlink_core_share": float(mavlink.measure_mavlink().core_share)}
 
 
-def lines(found: Found) -> list[str]:
+def lines(found: Measured) -> list[str]:
     """The figures as a table, with what was aimed at."""
     width = max(len(figure.meaning) for figure in FIGURES)
     table = []
@@ -97,12 +97,12 @@ def lines(found: Found) -> list[str]:
         text = "not installed" if value is None else f"{value:.4g}"
         aim = f"≤ {most:g}" if most is not None else f"≥ {least:g}" if least is not None else ""
         table.append(
-            f"{meaning:<{width}}  {text:>13}  {aim:>7}  {verdict(value, most, least)}".rstrip()
+            f"{meaning:<{width}}  {text:>13}  {aim:>7}  {met_or_missed(value, most, least)}".rstrip()
         )
     return table
 
 
-def verdict(value: float | None, most: float | None, least: float | None) -> str:
+def met_or_missed(value: float | None, most: float | None, least: float | None) -> str:
     """`met` or `missed`; nothing where there is no target or no figure."""
     if value is None or (most is None and least is None):
         return ""

@@ -2,7 +2,12 @@
 
 import statistics
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+from typing import TypeVar
+
+Job = TypeVar("Job")
 
 
 def in_turns(works: Mapping[str, Callable[[], int]], rounds: int) -> dict[str, list[float]]:
@@ -26,3 +31,20 @@ def in_turns(works: Mapping[str, Callable[[], int]], rounds: int) -> dict[str, l
 def ratio(above: list[float], below: list[float]) -> float:
     """Median of the ratios of rounds."""
     return statistics.median(a / b for a, b in zip(above, below, strict=True))
+
+
+def in_two_processes(
+    work: Callable[[Job], object], warm_up: Sequence[Job], jobs: Sequence[Job]
+) -> float:
+    """Wall time [s] of `jobs` in two processes, once both have started and loaded.
+
+    Args:
+        work: a function of a module, called once for each job.
+        warm_up: jobs that go before, enough for both processes to get one.
+        jobs: what is timed.
+    """
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
+        list(pool.map(work, warm_up))
+        started = time.perf_counter()
+        list(pool.map(work, jobs))
+        return time.perf_counter() - started

@@ -6,11 +6,17 @@ the equations of motion are not written a second time.
 
 from typing import Any
 
-from ftc_jsb.compiled import compiled
+from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.estimation.process import Forcing, axes, propagate
 from ftc_jsb.point_mass.model import Condition
 
 RELATIVE_STEP = 1e-6  # of the state, or of 1: error of the Jacobian near 1e-9
+
+
+@inlined
+def _difference(value: float) -> float:
+    """Half the distance over which the Jacobian is taken, of a state near `value`."""
+    return RELATIVE_STEP * max(1.0, abs(value))
 
 
 @compiled
@@ -27,12 +33,12 @@ def predict_extended(
         for k in range(2 * n + 1):
             points[k, i] = estimate[i]
     for j in range(n):
-        step = RELATIVE_STEP * max(1.0, abs(estimate[j]))
+        step = _difference(estimate[j])
         points[1 + j, j] += step
         points[1 + n + j, j] -= step
     propagate(at, forcing, axes(forcing, estimate[1]), filter_state, 2 * n + 1, dt)
     for j in range(n):
-        step = RELATIVE_STEP * max(1.0, abs(estimate[j]))
+        step = _difference(estimate[j])
         for i in range(n):
             jacobian[i, j] = (points[1 + j, i] - points[1 + n + j, i]) / (2.0 * step)
     for i in range(n):

@@ -9,8 +9,14 @@ and the centre weight becomes W_0 = 1 - n / (n_a + kappa): -1/3 for four states.
 from typing import Any
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.estimation.cholesky import cholesky
 from ftc_jsb.estimation.process import Forcing, axes, propagate
+from ftc_jsb.estimation.sigma_points import (
+    add_noise,
+    covariance_of,
+    draw_points,
+    mean_of,
+    weights_of,
+)
 from ftc_jsb.point_mass.model import Condition
 
 
@@ -36,29 +42,11 @@ def predict_unscented(
     n = filter_state.count
     estimate = filter_state.estimate
     covariance = filter_state.covariance
-    factor = filter_state.factor
     points = filter_state.points
-    cholesky(covariance, n, factor)
-    scale = spread**0.5
-    for i in range(n):  # (26)
-        points[0, i] = estimate[i]
-        for j in range(n):
-            offset = scale * factor[i, j]
-            points[1 + j, i] = estimate[i] + offset
-            points[1 + n + j, i] = estimate[i] - offset
-    propagate(at, forcing, axes(forcing, estimate[1]), filter_state, 2 * n + 1, dt)  # (27)
-    weight = 0.5 / spread  # (29)
-    centre = 1.0 - n / spread
-    for i in range(n):  # (28), as a mean of differences: no cancellation with a negative centre
-        total = 0.0
-        for k in range(1, 2 * n + 1):
-            total += points[k, i] - points[0, i]
-        estimate[i] = points[0, i] + weight * total
-    for i in range(n):  # (30), the noise part of the augmented points being Q
-        for j in range(i + 1):
-            total = centre * (points[0, i] - estimate[i]) * (points[0, j] - estimate[j])
-            for k in range(1, 2 * n + 1):
-                total += weight * (points[k, i] - estimate[i]) * (points[k, j] - estimate[j])
-            covariance[i, j] = total
-            covariance[j, i] = total
-        covariance[i, i] += process_noise[i]
+    weights = weights_of(n, spread)  # (29)
+    draw_points(estimate, covariance, n, spread, filter_state.factor, points)  # (26)
+    near = axes(forcing, estimate[1])
+    propagate(at, forcing, near, filter_state, weights.points, dt)  # (27)
+    mean_of(points, weights, n, estimate)  # (28)
+    covariance_of(points, estimate, weights, n, covariance)  # (30)
+    add_noise(covariance, process_noise, n)

@@ -9,7 +9,7 @@ under rounding (Bucy and Joseph 1968).
 import math
 from typing import Any
 
-from ftc_jsb.compiled import compiled
+from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.estimation.cholesky import cholesky, cholesky_solve
 from ftc_jsb.estimation.process import OUTPUTS
 
@@ -37,19 +37,29 @@ def update(
         gate_patience: samples in a row that may be refused.
         floor: lower bound of the effectiveness estimates, whose upper bound is then 1; 0 = neither.
     """
-    n = filter_state.count
-    estimate = filter_state.estimate
-    covariance = filter_state.covariance
+    finite = _innovate(filter_state, measurement, measurement_noise)
+    if not _passes_gate(filter_state, finite, gate, gate_patience):
+        return
+    _correct(filter_state, measurement_noise)
+    _bound(filter_state, floor)
+
+
+@inlined
+def _innovate(filter_state: Any, measurement: Any, measurement_noise: Any) -> bool:
+    """Innovation y - y^ of (32), P_yy of (33), its factor, and the normalised innovation squared.
+
+    Returns:
+        Whether every element of the innovation is finite.
+    """
     factor = filter_state.factor
-    gain = filter_state.gain
     innovation = filter_state.innovation
     spread = filter_state.innovation_covariance
-    usable = True
-    for i in range(OUTPUTS):  # (32), (33)
-        innovation[i] = measurement[i] - estimate[i]
-        usable = usable and math.isfinite(innovation[i])
+    finite = True
+    for i in range(OUTPUTS):
+        innovation[i] = measurement[i] - filter_state.estimate[i]
+        finite = finite and math.isfinite(innovation[i])
         for j in range(OUTPUTS):
-            spread[i, j] = covariance[i, j]
+            spread[i, j] = filter_state.covariance[i, j]
         spread[i, i] += measurement_noise[i]
     cholesky(spread, OUTPUTS, factor)
     whitened = filter_state.points[0]
@@ -59,20 +69,34 @@ def update(
     filter_state.nis = 0.0
     for i in range(OUTPUTS):
         filter_state.nis += innovation[i] * whitened[i]
+    return finite
+
+
+@inlined
+def _passes_gate(filter_state: Any, finite: bool, gate: float, gate_patience: int) -> bool:
+    """Whether the innovation is to be corrected by; counts refusals in a row."""
     if gate > 0.0 and filter_state.nis > gate and filter_state.rejected < gate_patience:
-        usable = False
         filter_state.rejected += 1
-    elif usable:
+        return False
+    if finite:
         filter_state.rejected = 0
-    if not usable:
-        return
+    return finite
+
+
+@inlined
+def _correct(filter_state: Any, measurement_noise: Any) -> None:
+    """(34), the covariance in Joseph's form; the factor of P_yy is that of `_innovate`."""
+    n = filter_state.count
+    estimate = filter_state.estimate
+    covariance = filter_state.covariance
+    gain = filter_state.gain
     for i in range(n):  # K = P_xy P_yy^-1, row by row
         for j in range(OUTPUTS):
             gain[i, j] = covariance[i, j]
-        cholesky_solve(factor, OUTPUTS, gain[i])
-    for i in range(n):  # (34)
+        cholesky_solve(filter_state.factor, OUTPUTS, gain[i])
+    for i in range(n):
         for j in range(OUTPUTS):
-            estimate[i] += gain[i, j] * innovation[j]
+            estimate[i] += gain[i, j] * filter_state.innovation[j]
     product = filter_state.points  # (I - K H) P
     for i in range(n):
         for j in range(n):
@@ -88,9 +112,14 @@ def update(
                 total += gain[i, k] * measurement_noise[k] * gain[j, k]
             covariance[i, j] = total
             covariance[j, i] = total
+
+
+@inlined
+def _bound(filter_state: Any, floor: float) -> None:
+    """Keep the effectiveness estimates in [floor, 1]; 0 = not at all."""
     if floor > 0.0:
-        for i in range(OUTPUTS, n):
-            estimate[i] = min(max(estimate[i], floor), 1.0)
+        for i in range(OUTPUTS, filter_state.count):
+            filter_state.estimate[i] = min(max(filter_state.estimate[i], floor), 1.0)
 
 
 @compiled
@@ -125,7 +154,5 @@ def update_by_state(
             total = covariance[i, j] - gain[i] * column[j] - column[i] * gain[j]
             covariance[i, j] = total + gain[i] * spread * gain[j]
             covariance[j, i] = covariance[i, j]
-    if floor > 0.0:
-        for i in range(OUTPUTS, n):
-            estimate[i] = min(max(estimate[i], floor), 1.0)
+    _bound(filter_state, floor)
     return math.sqrt(spread)

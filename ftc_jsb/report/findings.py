@@ -17,7 +17,7 @@ from ftc_jsb.report.display_names import model_title
 from ftc_jsb.report.flight_groups import by_scenario, loop_pairs, model_pairs
 from ftc_jsb.report.margins_files import KnownMargins, margins_of
 from ftc_jsb.report.metric_formats import NUMBERS
-from ftc_jsb.theory.lyapunov import Stability
+from ftc_jsb.theory.lyapunov import LyapunovBound
 
 Flights = Mapping[str, Flight]
 
@@ -27,7 +27,7 @@ class Findings(NamedTuple):
 
     document: dict[str, Any]  # the contents of metrics.json
     residuals: dict[str, Residuals]  # by label; left out where they cannot be had
-    theory: dict[str, Stability]  # likewise
+    theory: dict[str, LyapunovBound]  # likewise
     problems: list[str]  # what could not be found, and why
 
 
@@ -40,7 +40,7 @@ def find(flights: Flights, margins: Sequence[KnownMargins] = ()) -> Findings:
     """
     problems: list[str] = []
     residuals: dict[str, Residuals] = {}
-    theory: dict[str, Stability] = {}
+    theory: dict[str, LyapunovBound] = {}
     metrics: dict[str, Metrics] = {}
     for label, flight in flights.items():
         entry = {**flight_metrics(flight), **margins_of(flight, margins)}

@@ -21,7 +21,7 @@ from ftc_jsb.theory.gains import Gains
 Array = npt.NDArray[np.float64]
 
 
-class Stability(NamedTuple):
+class LyapunovBound(NamedTuple):
     """The quantities of (37)-(40) along a flight."""
 
     value: Array  # (rows,), V = e^T H e of the scaled error
@@ -37,9 +37,9 @@ class Stability(NamedTuple):
         return bool(np.all(self.value <= self.bound * (1.0 + 1e-9)))
 
 
-def stability(
+def lyapunov_bound(
     time: Array, error: Array, residual: Array, b: Array, gains: Gains, young: float = 0.5
-) -> Stability:
+) -> LyapunovBound:
     """Check a flight against the proof.
 
     Args:
@@ -58,4 +58,4 @@ def stability(
     value = np.einsum("ti,ij,tj->t", error, gains.h, error)
     bound = np.exp(-rate * (time - time[0])) * value[0] + phi / rate
     radius = float(np.sqrt(phi / (rate * np.linalg.eigvalsh(gains.h).min())))
-    return Stability(value, bound, rate, phi, radius, np.linalg.norm(error, axis=1))
+    return LyapunovBound(value, bound, rate, phi, radius, np.linalg.norm(error, axis=1))

@@ -9,7 +9,7 @@ import pytest
 from ftc_jsb.bench.numpy_form import fly_in_numpy
 from ftc_jsb.bench.point_mass import dispersed
 from ftc_jsb.bench.six_dof import BareLoop, six_dof_scenario
-from ftc_jsb.bench.summary import FIGURES, lines, measure_mavlink_share, verdict
+from ftc_jsb.bench.summary import FIGURES, lines, measure_mavlink_share, met_or_missed
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.assembly import point_mass_of
 from ftc_jsb.simulation.batch import fly_batch
@@ -67,5 +67,5 @@ def test_what_is_not_installed_is_said_and_not_judged():
     [(1.4, 1.5, None, "met"), (1.6, 1.5, None, "missed"), (99.0, None, 100.0, "missed"),
      (None, 1.5, None, ""), (3.0, None, None, "")],
 )  # fmt: skip
-def test_verdict(value, most, least, said):
-    assert verdict(value, most, least) == said
+def test_met_or_missed(value, most, least, said):
+    assert met_or_missed(value, most, least) == said

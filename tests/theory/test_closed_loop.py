@@ -8,10 +8,10 @@ import pytest
 from ftc_jsb.errors import TheoryError
 from ftc_jsb.theory.closed_loop import ClosedLoop, Settings
 from ftc_jsb.theory.gains import given_gains, placed_gains
-from ftc_jsb.theory.law import trim_step_second_order
 from ftc_jsb.theory.linearization import linearize
-from ftc_jsb.theory.lyapunov import stability
+from ftc_jsb.theory.lyapunov import lyapunov_bound
 from ftc_jsb.theory.systems import textbook_plant
+from ftc_jsb.theory.trim_filter import trim_step_second_order
 
 SETTINGS = Settings(
     dt=0.005,
@@ -56,7 +56,7 @@ def test_lyapunov_function_obeys_its_bound(loop):
     """(37)-(40): V below exp(-lambda t) V0 + phi / lambda all along, and the error inside the ball."""
     history = fly(loop)
     _, b, _ = loop.linearization.brunovsky()
-    proof = stability(history.time, history.error, history.residual, b, loop.gains)
+    proof = lyapunov_bound(history.time, history.error, history.residual, b, loop.gains)
     assert proof.rate > 0.0
     assert proof.obeyed
     assert proof.error[-1] < proof.radius
@@ -66,7 +66,9 @@ def test_lyapunov_function_obeys_its_bound(loop):
         SETTINGS._replace(adaptive=False, zeta=200.0),
     )  # fmt: skip
     after = exact.time > 1.0
-    quiet = stability(exact.time[after], exact.error[after], exact.residual[after], b, loop.gains)
+    quiet = lyapunov_bound(
+        exact.time[after], exact.error[after], exact.residual[after], b, loop.gains
+    )
     assert quiet.obeyed
     assert quiet.radius < 0.05 * proof.radius
 

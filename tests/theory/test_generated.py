@@ -10,7 +10,7 @@ from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.point_mass.dynamics import velocity
 from ftc_jsb.theory.approximation import estimate_bounds
 from ftc_jsb.theory.generated import generate
-from ftc_jsb.theory.law import SOLVED, make_law
+from ftc_jsb.theory.law import SOLVED, Reference, make_law
 from ftc_jsb.theory.linearization import linearize
 from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity, textbook_plant
 from tests.point_mass.models import PAPER, law, rates
@@ -54,7 +54,9 @@ def test_drift_and_gain_of_14_are_the_flying_ones(x, u, k):
 def test_general_law_is_the_flying_law(x, u, k, w):
     """(20) by elimination of the generated G, and in closed form: 1e-12 of each command's step."""
     general = np.zeros(3)
-    status = LAW(x, u, k, VELOCITY.parameters, w, np.eye(3), x.copy(), np.zeros(15), general)
+    status = LAW(
+        x, u, k, VELOCITY.parameters, Reference(x.copy(), w), np.eye(3), np.zeros(12), general
+    )
     assert status == SOLVED
     flying = np.array(law(PAPER, x[0], 3048.0, x[1], u, k, w))
     scale = np.abs(u) + np.abs(general - u) + np.array([1e3, 1.0, 1.0])
@@ -77,7 +79,7 @@ def test_path_loop_is_the_general_law_for_y_position(x, u, k, w, e):
     general = np.zeros(3)
     demanded = 10.0 * w
     status = PATH_LAW(
-        full, u, k, POSITION.parameters, demanded, gain, reference, np.zeros(21), general
+        full, u, k, POSITION.parameters, Reference(reference, demanded), gain, np.zeros(15), general
     )
     assert status == SOLVED
     total = demanded - gain @ e
@@ -98,7 +100,9 @@ def test_singular_gain_is_told_with_its_input():
     """At n = 0 the bank angle moves nothing: no pivot for input 2."""
     u = np.array([40e3, 0.0, 0.3])
     x = np.array([300.0, 0.0, 0.0])
-    status = LAW(x, u, np.ones(3), VELOCITY.parameters, x, np.eye(3), x, np.zeros(15), np.zeros(3))
+    status = LAW(
+        x, u, np.ones(3), VELOCITY.parameters, Reference(x, x), np.eye(3), np.zeros(12), np.zeros(3)
+    )
     assert status == 2
 
 

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from ftc_jsb.estimation.augmented import augmented_step
+from ftc_jsb.theory.discrete_model import make_propagate
 from ftc_jsb.theory.generated import generate
-from ftc_jsb.theory.joint_filter import make_filter, make_propagate
+from ftc_jsb.theory.joint_filter import FilterSettings, make_filter
 from ftc_jsb.theory.linearization import linearize
 from ftc_jsb.theory.system import System
 from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity
@@ -18,6 +19,7 @@ def compare(system: System, start: np.ndarray, q: np.ndarray, r: np.ndarray, obs
     kernels = generate(linearize(system))
     n = len(start)
     step = make_filter(kernels, n, 3, 3)
+    settings = FilterSettings(q, r, spread=3.0, floor=0.0, dt=DT)
     propagate = make_propagate(kernels)
     scratch = np.zeros((5, n))
     p = kernels.parameters
@@ -36,7 +38,7 @@ def compare(system: System, start: np.ndarray, q: np.ndarray, r: np.ndarray, obs
         propagate(truth, u, np.array([0.8, 1.0, 1.0]), p, DT, scratch)
         y = observe(truth) + random.standard_normal(3) * np.sqrt(r)
         x_aug, cov_aug = augmented_step(process, observe, z, cov, np.diag(q), np.diag(r), y)
-        step(z, cov, u, y, p, q, r, 3.0, 0.0, DT)
+        step(z, cov, u, y, p, settings)
         deviation = np.sqrt(np.diag(cov_aug))
         worst = max(worst, np.abs((z - x_aug) / deviation).max())
     return worst
