@@ -507,8 +507,8 @@ def _live(
         yield None
         return
     from ftc_jsb.mavlink.link.endpoint import parse_endpoint
-    from ftc_jsb.mavlink.link.vehicle_link import Link
     from ftc_jsb.mavlink.link.signing import load_key
+    from ftc_jsb.mavlink.link.vehicle_link import Link
     from ftc_jsb.mavlink.live import LogOnly, live_flight
 
     if tlog is not None and realtime is None and endpoint is None:
