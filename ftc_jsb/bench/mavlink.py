@@ -5,7 +5,7 @@ import time
 from typing import NamedTuple
 
 from ftc_jsb.mavlink.link.endpoint import LOOPBACK, Endpoint
-from ftc_jsb.mavlink.link.link import Link
+from ftc_jsb.mavlink.link.vehicle_link import Link
 from ftc_jsb.mavlink.live import live_flight
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
@@ -44,7 +44,7 @@ def measure_mavlink(model: str = "jsbsim", seconds: float = 10.0) -> MavlinkCost
             def mark() -> None:
                 spent.append(live.vehicle.core_seconds())
                 since.append(time.perf_counter())
-                sent.append(live.vehicle.tally().sent)
+                sent.append(live.vehicle.statistics().sent)
 
             def first_row(record: object, i: int) -> None:
                 if i == 0:

@@ -507,8 +507,8 @@ def _live(
         yield None
         return
     from ftc_jsb.mavlink.link.endpoint import parse_endpoint
-    from ftc_jsb.mavlink.link.link import Link
     from ftc_jsb.mavlink.link.signing import load_key
+    from ftc_jsb.mavlink.link.vehicle_link import Link
     from ftc_jsb.mavlink.live import LogOnly, live_flight
 
     if tlog is not None and realtime is None and endpoint is None:
@@ -529,6 +529,8 @@ def _live(
     if linger is None:
         linger = 1e9 if endpoint and sys.stderr.isatty() else 0.0
     with live_flight(scenario, realtime, link, tlog, linger) as beside:
+        if beside.note:
+            click.echo(f"ftc-jsb: note: {beside.note}", err=True)
         yield beside
 
 

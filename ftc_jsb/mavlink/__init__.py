@@ -1,1 +1,1 @@
-"""The vehicle that a ground station sees: MAVLink 2 telemetry, answers, commands and logs."""
+"""The vehicle that a ground station sees: MAVLink 2 telemetry, commands and their acknowledgements, logs."""

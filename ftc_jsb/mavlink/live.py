@@ -7,9 +7,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ftc_jsb.errors import LinkError
-from ftc_jsb.mavlink.link.link import Link, Tally
 from ftc_jsb.mavlink.link.telemetry_log import TelemetryLog
-from ftc_jsb.mavlink.telemetry.recorded import write_tlog
+from ftc_jsb.mavlink.link.vehicle_link import Link, LinkStatistics
+from ftc_jsb.mavlink.telemetry.recording_to_tlog import write_tlog
 from ftc_jsb.mavlink.vehicle import Vehicle
 from ftc_jsb.recording.commands import End, Reset
 from ftc_jsb.recording.flight import Flight
@@ -18,7 +18,7 @@ from ftc_jsb.simulation.command_source import CommandQueue, CommandSource
 from ftc_jsb.simulation.fly import Observer
 from ftc_jsb.simulation.pacing import Pacer, PacingError
 
-SWITCH = 0.0005  # [s] that one thread may keep the other waiting
+SWITCH_INTERVAL = 0.0005  # [s] that one thread may keep the other waiting
 
 
 class LiveFlight:
@@ -26,19 +26,20 @@ class LiveFlight:
 
     def __init__(self, vehicle: Vehicle, pacer: Pacer | None, queue: CommandQueue, linger: float):
         """Args: the parts; for how long [s] the vehicle stays after its flight."""
+        self.note = ""  # for the user, before the flight
         self.commands = queue
         self.observers: Sequence[Observer] = (vehicle, pacer) if pacer else (vehicle,)
         self.pacer = pacer
-        self.tally: Tally | None = None
+        self.statistics: LinkStatistics | None = None
         self.vehicle = vehicle
         self._linger = linger
 
     def flies_again(self, flight: Flight) -> bool:
         """The vehicle stays, with its heartbeat, until the time is over, Ctrl-C or a command."""
-        self.vehicle.ended(flight)
+        self.vehicle.end_flight(flight)
         if flight.commands and isinstance(flight.commands[-1].command, Reset):
             return self._again()
-        if flight.outcome.status == "interrupted" or self.vehicle.leaves:
+        if flight.outcome.status == "interrupted" or self.vehicle.leaves_after_flight:
             return False
         until = time.monotonic() + self._linger
         try:
@@ -54,19 +55,19 @@ class LiveFlight:
 
     def _again(self) -> bool:
         self.commands.clear()
-        self.vehicle.begins()
+        self.vehicle.begin_again()
         return True
 
     def summary(self) -> list[str]:
         """What went over the link, and how well time was kept; for the user."""
         lines = []
-        if self.tally is not None:
-            t = self.tally
+        if self.statistics is not None:
+            s = self.statistics
             lines.append(
-                f"link: {t.sent} frames sent ({t.unsent} not taken), {t.received} received "
-                f"({t.ignored} ignored), {t.refused} refused, {t.clamped} values clamped"
+                f"link: {s.sent} frames sent ({s.unsent} not taken), {s.received} received "
+                f"({s.ignored} ignored), {s.refused} refused, {s.clamped} values clamped"
             )
-            lines += [f"link: internal error: {error}" for error in t.errors]
+            lines += [f"link: internal error: {error}" for error in s.errors]
         if self.pacer is not None:
             lines.append(pacing_line(self.pacer.error()))
         return lines
@@ -80,7 +81,7 @@ class LogOnly:
 
     def __init__(self, path: Path) -> None:
         """Args: of the log, which is seen to be writable now."""
-        _opened(path).close()
+        _opened_log(path).close()
         self._path = path
 
     def flies_again(self, flight: Flight) -> bool:
@@ -120,23 +121,25 @@ def live_flight(
     """
     queue = CommandQueue()
     pacer = Pacer(scenario.loop.rate, factor, queue) if factor else None
-    tlog = _opened(log) if log else None
+    tlog = _opened_log(log) if log else None
     before = sys.getswitchinterval()
     try:
         vehicle = Vehicle(scenario, queue, link, tlog, pacer)
         live = LiveFlight(vehicle, pacer, queue, linger)
-        sys.setswitchinterval(SWITCH)
+        if link.endpoint is not None and link.endpoint.port == 0:
+            live.note = f"the vehicle listens at {vehicle.endpoint}"
+        sys.setswitchinterval(SWITCH_INTERVAL)
         try:
             yield live
         finally:
-            live.tally = vehicle.close()
+            live.statistics = vehicle.close()
     finally:
         sys.setswitchinterval(before)
         if tlog is not None:
             tlog.close()
 
 
-def _opened(path: Path) -> TelemetryLog:
+def _opened_log(path: Path) -> TelemetryLog:
     try:
         return TelemetryLog(path)
     except OSError as error:

@@ -3,28 +3,21 @@
 import socket
 import threading
 import time
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 
 from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.mavlink.link.encoder import signing_time
 from ftc_jsb.mavlink.link.endpoint import Endpoint
-from ftc_jsb.mavlink.link.link import Link
+from ftc_jsb.mavlink.link.vehicle_link import Link
 from ftc_jsb.mavlink.live import live_flight
 from ftc_jsb.recording.commands import End
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
+from tests.mavlink.ports import HOST, reserved_port
 
-HOST = "127.0.0.1"
 OPEN: list[socket.socket] = []  # of stations; closed with the flight that they looked at
-
-
-def free_port() -> int:
-    """A UDP and TCP port that nothing has now."""
-    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
-        probe.bind((HOST, 0))
-        return probe.getsockname()[1]
 
 
 class Ground:
@@ -126,12 +119,16 @@ class Aloft:
 def aloft(
     *overrides: str, scenario="nominal", kind="udpin", factor=1.0, log: Path | None = None, **link
 ):
-    """A vehicle that flies; after the block it has landed and the link is closed."""
-    port = free_port()
+    """A vehicle that flies; after the block it has landed and the link is closed.
+
+    It listens at a port that the system chooses; or it sends (udpout) to one that nobody answers.
+    """
     flown = load_scenario(scenario, ["duration=120", *overrides])
-    endpoint = Endpoint(kind, HOST, port)
-    with live_flight(flown, factor, Link(endpoint, **link), log, 0.0) as live:
-        up = Aloft(port, live)
+    with (
+        reserved_port() if kind == "udpout" else nullcontext(0) as port,
+        live_flight(flown, factor, Link(Endpoint(kind, HOST, port), **link), log, 0.0) as live,
+    ):
+        up = Aloft(live.vehicle.endpoint.port, live)
 
         under_way = threading.Event()
 
@@ -149,4 +146,4 @@ def aloft(
             up.land()
             while OPEN:
                 OPEN.pop().close()
-    assert live.tally.errors == ()
+    assert live.statistics.errors == ()

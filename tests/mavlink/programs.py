@@ -1,5 +1,6 @@
 """The installed command as a vehicle for real ground stations, run beside them."""
 
+import re
 import subprocess
 import sys
 from contextlib import contextmanager
@@ -20,6 +21,16 @@ def vehicle(port: int, folder: Path, *arguments: str, scenario: str = "nominal")
         finally:
             process.terminate()
             process.wait(20.0)
+
+
+def reported_port(process: subprocess.Popen) -> int:
+    """The port at which a vehicle says on its standard error that it listens."""
+    for line in process.stderr:
+        if found := re.search(
+            r"note: the vehicle listens at \w+:127\.0\.0\.1:(\d+)$", line.rstrip()
+        ):
+            return int(found[1])
+    raise AssertionError("no port was reported")
 
 
 def dumped(tlog: Path, *kinds: str) -> list[str]:

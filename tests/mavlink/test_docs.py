@@ -7,8 +7,8 @@ from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.mavlink.commands import parameters
 from ftc_jsb.mavlink.commands.command_protocol import CommandProtocol
-from ftc_jsb.mavlink.telemetry.outer_loop import STORY
-from ftc_jsb.mavlink.telemetry.streams import STREAMS
+from ftc_jsb.mavlink.telemetry.message_streams import STREAMS
+from ftc_jsb.mavlink.telemetry.outer_loop_messages import OUTER_LOOP_VALUES
 from ftc_jsb.scenario.load import load_scenario
 
 TEXT = (Path(__file__).parents[2] / "docs" / "mavlink.md").read_text()
@@ -25,14 +25,14 @@ def test_every_message_is_listed_with_its_rate():
 
 
 def test_every_number_is_listed():
-    for told in STORY:
-        assert told.unit in row(told.name), told.name
+    for named in OUTER_LOOP_VALUES:
+        assert named.unit in row(named.name), named.name
 
 
 def test_every_parameter_is_listed_and_the_links_with_range_and_default():
     groups = (
-        parameters.TRACKING, parameters.INTEGRAL, parameters.PATH, parameters.EVERY, parameters.DETECTOR,
-        parameters.COVARIANCES, parameters.TUNED,
+        parameters.TRACKING_GAINS, parameters.INTEGRAL_GAINS, parameters.PATH_GAINS, parameters.EVERY_LOOP,
+        parameters.DETECTOR, parameters.COVARIANCES, parameters.RESPONSE_TIME,
     )  # fmt: skip
     for parameter in (p for group in groups for p in group):
         assert row(parameter.name)

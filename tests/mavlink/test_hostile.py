@@ -98,7 +98,7 @@ def hostile(chance: random.Random, frames: list[bytes]) -> bytes:
 )
 def test_hostile_frames_change_nothing(stream, key, monkeypatch):
     """All are taken in (a ping comes back after each batch) while the paper's flight goes on and on."""
-    monkeypatch.setattr("ftc_jsb.mavlink.vehicle.REST", 0.0)  # the ration is tested below
+    monkeypatch.setattr("ftc_jsb.mavlink.vehicle.FLOOD_REST", 0.0)  # the ration is tested below
     chance = random.Random(20140101)
     frames = whole_frames(chance, 3000)
     if key is not None:  # what would act, were it signed
@@ -125,10 +125,10 @@ def test_hostile_frames_change_nothing(stream, key, monkeypatch):
         ground.close()
         enemy.close()
     assert [command.kind for _, command in flight.commands] == ["end"]  # ours
-    tally = up.live.tally
-    assert tally.refused > 0.3 * share
+    statistics = up.live.statistics
+    assert statistics.refused > 0.3 * share
     if not stream:  # none was lost on the way: each datagram is counted, one way or another
-        assert tally.received + tally.refused >= share
+        assert statistics.received + statistics.refused >= share
     rows = flight.record.size
     plain = fly(load_scenario("paper", [f"duration={rows / 100.0}"])).record[:rows]
     for name in ROW.names:

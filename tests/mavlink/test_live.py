@@ -8,8 +8,9 @@ import pytest
 from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.recording.netcdf import load
-from tests.mavlink.ground import HOST, Ground, free_port
-from tests.mavlink.programs import BIN
+from tests.mavlink.ground import Ground
+from tests.mavlink.ports import HOST
+from tests.mavlink.programs import BIN, reported_port
 
 REBOOT_SHUTDOWN = dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN
 
@@ -36,12 +37,11 @@ def heard_by(port):
 
 def test_reset_in_flight_and_after_it_flies_anew_and_keeps_every_flight(tmp_path):
     """Reset in the first flight; the second is complete, lingers, is reset; the third is shut down."""
-    port = free_port()
     process = started(
-        tmp_path, "fly", "nominal", "--set", "duration=3", "--realtime", "--mavlink", f"udpin:{HOST}:{port}",
+        tmp_path, "fly", "nominal", "--set", "duration=3", "--realtime", "--mavlink", f"udpin:{HOST}:0",
         "--linger", "60", "--out", "o",
     )  # fmt: skip
-    ground = heard_by(port)
+    ground = heard_by(reported_port(process))
     ground.wait_for("ATTITUDE", lambda m: m.time_boot_ms > 500, within=180.0)
     assert ground.ask(REBOOT_SHUTDOWN, 1) == 0
     ground.wait_for("ATTITUDE", lambda m: m.time_boot_ms < 500)
@@ -64,11 +64,10 @@ def test_recording_is_shown_again_and_obeys_nobody(tmp_path):
     """`replay --mavlink` in real time: seen, not commanded, and still the same to the bit."""
     made = started(tmp_path, "fly", "nominal", "--set", "duration=4", "--out", "o")
     made.communicate(timeout=180)
-    port = free_port()
     process = started(
-        tmp_path, "replay", "o/flight.nc", "--realtime", "--mavlink", f"udpin:{HOST}:{port}"
+        tmp_path, "replay", "o/flight.nc", "--realtime", "--mavlink", f"udpin:{HOST}:0"
     )
-    ground = heard_by(port)
+    ground = heard_by(reported_port(process))
     ground.wait_for("ATTITUDE", within=180.0)
     ground.command(dialect.MAV_CMD_DO_FLIGHTTERMINATION, 1)
     output, errors = process.communicate(timeout=180)

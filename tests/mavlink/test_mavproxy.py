@@ -2,18 +2,25 @@
 
 import re
 
+import pytest
+
 from tests.mavlink.clients.mavproxy import MavProxy
-from tests.mavlink.ground import free_port
+from tests.mavlink.ports import reserved_port
 from tests.mavlink.programs import vehicle
 
 NAGS = ("no home", "Failed", "UNSUPPORTED", "timeout", "unknown", "Traceback", "link 1 down\nlink")
 
 
-def test_a_minute_with_mavproxy(tmp_path):
+@pytest.fixture
+def port():
+    with reserved_port() as number:
+        yield number
+
+
+def test_a_minute_with_mavproxy(port, tmp_path):
     """Mode, parameters within 5 s of the first heartbeat (11 without the FTP NAK), a failure injected,
     a home, and nothing that is asked or refused over and over in 60 s.
     """
-    port = free_port()
     proxy = MavProxy(port, tmp_path)
     try:
         proxy.wait_for("Waiting for heartbeat", 30.0)

@@ -9,15 +9,20 @@ import pytest
 
 from ftc_jsb.recording.netcdf import load
 from ftc_jsb.simulation.replay import differences, replay
-from tests.mavlink.ground import free_port
+from tests.mavlink.ports import reserved_port
 from tests.mavlink.programs import vehicle
 
 CLIENT = Path(__file__).parent / "clients" / "mavsdk_client.py"
 
 
-def test_a_program_on_mavsdk_sees_commands_and_injects(tmp_path):
+@pytest.fixture
+def port():
+    with reserved_port() as number:
+        yield number
+
+
+def test_a_program_on_mavsdk_sees_commands_and_injects(port, tmp_path):
     """A session on the F-16 at 300 m/s and 3048 m over 47 N 8 E; the flight that it was replays to the bit."""
-    port = free_port()
     with vehicle(port, tmp_path, "--model", "jsbsim", "--linger", "30") as process:
         client = subprocess.run(
             [sys.executable, CLIENT, str(port)], capture_output=True, text=True, timeout=300, check=False
@@ -35,7 +40,7 @@ def test_a_program_on_mavsdk_sees_commands_and_injects(tmp_path):
     assert differences(flight, replay(flight)) == []
 
 
-def test_discovery_takes_less_than_three_seconds_of_a_vehicle_that_is_there(tmp_path):
+def test_discovery_takes_less_than_three_seconds_of_a_vehicle_that_is_there(port, tmp_path):
     """The vehicle first, the client second; a heartbeat comes every second."""
     code = (
         "import asyncio, sys, time\n"
@@ -47,7 +52,6 @@ def test_discovery_takes_less_than_three_seconds_of_a_vehicle_that_is_there(tmp_
         "    print(await mavsdk.first_autopilot(3.0) is not None)\n"
         "asyncio.run(main())\n"
     )
-    port = free_port()
     with vehicle(port, tmp_path, "--tlog", "up.tlog"):
         for _ in range(300):  # the log is begun when the vehicle is
             if (tmp_path / "up.tlog").exists():

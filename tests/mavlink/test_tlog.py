@@ -9,7 +9,7 @@ import pytest
 from ftc_jsb.convert import convert
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.recording.netcdf import load
-from tests.mavlink.ground import free_port
+from tests.mavlink.ports import reserved_port
 from tests.mavlink.programs import BIN, dumped
 
 SECONDS = re.compile(r"^(\d{4})-\d\d-\d\d \d\d:(\d\d):(\d\d\.\d+): ")
@@ -40,10 +40,11 @@ def test_live_log_and_both_commands(tmp_path):
             [BIN / "ftc-jsb", *arguments], cwd=tmp_path, capture_output=True, text=True, timeout=180
         )  # fmt: skip
 
-    flown = run(
-        "fly", "paper", "--set", "duration=3", "--realtime", "--mavlink", f"udpout:127.0.0.1:{free_port()}",
-        "--tlog", "live.tlog", "--out", "o",
-    )  # fmt: skip
+    with reserved_port() as port:
+        flown = run(
+            "fly", "paper", "--set", "duration=3", "--realtime", "--mavlink", f"udpout:127.0.0.1:{port}",
+            "--tlog", "live.tlog", "--out", "o",
+        )  # fmt: skip
     assert flown.returncode == 0, flown.stderr
     assert "link: " in flown.stderr
     assert "real time: " in flown.stderr

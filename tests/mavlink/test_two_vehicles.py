@@ -5,7 +5,7 @@ import time
 
 from pymavlink.dialects.v20 import common as dialect
 
-from tests.mavlink.ground import HOST
+from tests.mavlink.ports import HOST
 from tests.mavlink.programs import vehicle
 
 

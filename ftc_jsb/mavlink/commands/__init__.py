@@ -1,1 +1,1 @@
-"""Messages that a ground station sends, and their answers."""
+"""Messages that a ground station sends, what they do and how they are acknowledged."""

@@ -4,26 +4,27 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.commands.acknowledgement import UNSUPPORTED, Handlers, Params, Reply
+from ftc_jsb.mavlink.commands.command_handlers import Acknowledgement, Handlers, Params, Result
 from ftc_jsb.mavlink.commands.failure_command import FailureCommand
-from ftc_jsb.mavlink.commands.flight_commands import CourseCommands
-from ftc_jsb.mavlink.commands.message_requests import MessageRequests
+from ftc_jsb.mavlink.commands.flight_phase_commands import FlightPhaseCommands
+from ftc_jsb.mavlink.commands.message_request_commands import MessageRequestCommands
 from ftc_jsb.mavlink.commands.set_point_commands import SetPointCommands
-from ftc_jsb.mavlink.commands.vehicle_access import Desk
+from ftc_jsb.mavlink.commands.vehicle_access import VehicleAccess
+from ftc_jsb.mavlink.link.message_fields import addressed_to_sender
 
 
 class CommandProtocol:
-    """Answers commands."""
+    """Acts on commands and acknowledges them."""
 
-    def __init__(self, desk: Desk) -> None:
-        """Args: the vehicle."""
-        self._desk = desk
-        self._failures = FailureCommand(desk)
+    def __init__(self, vehicle: VehicleAccess) -> None:
+        """Args: the vehicle that is commanded."""
+        self._vehicle = vehicle
+        self._failures = FailureCommand(vehicle)
         self.handlers: Handlers = {
-            **self._failures.handlers,
-            **SetPointCommands(desk).handlers,
-            **CourseCommands(desk).handlers,
-            **MessageRequests(desk).handlers,
+            **self._failures.handlers(),
+            **SetPointCommands(vehicle).handlers(),
+            **FlightPhaseCommands(vehicle).handlers(),
+            **MessageRequestCommands(vehicle).handlers(),
         }
 
     def restart(self) -> None:
@@ -31,25 +32,24 @@ class CommandProtocol:
         self._failures.restart()
 
     def command_long(self, message: Any) -> None:
-        """Answer a COMMAND_LONG."""
-        self._answer(message, tuple(getattr(message, f"param{k}") for k in range(1, 8)))
+        """Act on a COMMAND_LONG."""
+        self._acknowledge(message, tuple(getattr(message, f"param{k}") for k in range(1, 8)))
 
     def command_int(self, message: Any) -> None:
-        """Answer a COMMAND_INT."""
+        """Act on a COMMAND_INT."""
         four = tuple(getattr(message, f"param{k}") for k in range(1, 5))
-        self._answer(message, (*four, message.x, message.y, message.z))
+        self._acknowledge(message, (*four, message.x, message.y, message.z))
 
-    def _answer(self, message: Any, params: Params) -> None:
+    def _acknowledge(self, message: Any, params: Params) -> None:
         handler = self.handlers.get(message.command)
-        reply = handler(params) if handler else Reply(UNSUPPORTED)
-        self._desk.send(
+        ack = handler(params) if handler else Acknowledgement(Result.UNSUPPORTED)
+        self._vehicle.send(
             dialect.MAVLink_command_ack_message,
             {
                 "command": message.command,
-                "result": reply.result,
-                "target_system": message.get_srcSystem(),
-                "target_component": message.get_srcComponent(),
+                "result": ack.result,
+                **addressed_to_sender(message),
             },
         )
-        if reply.reason:
-            self._desk.say(dialect.MAV_SEVERITY_NOTICE, reply.reason)
+        if ack.reason:
+            self._vehicle.send_text(dialect.MAV_SEVERITY_NOTICE, ack.reason)

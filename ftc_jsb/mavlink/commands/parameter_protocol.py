@@ -4,38 +4,38 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.commands.parameters import plain
-from ftc_jsb.mavlink.commands.vehicle_access import Desk
-from ftc_jsb.mavlink.telemetry.status import IN_THE_AIR
+from ftc_jsb.mavlink.commands.parameters import float32_as_meant
+from ftc_jsb.mavlink.commands.vehicle_access import VehicleAccess
+from ftc_jsb.mavlink.link.message_fields import addressed_to_sender
 
 REAL32 = dialect.MAV_PARAM_TYPE_REAL32  # of every parameter
 
 
 class ParameterProtocol:
-    """Answers questions about parameters."""
+    """Sends the parameters that are asked for, and sets them."""
 
-    def __init__(self, desk: Desk) -> None:
-        """Args: the vehicle."""
-        self._desk = desk
+    def __init__(self, vehicle: VehicleAccess) -> None:
+        """Args: the vehicle that answers."""
+        self._vehicle = vehicle
 
     def param_request_list(self, message: Any) -> None:
         """All of them."""
-        for index in range(len(self._desk.parameters.all)):
+        for index in range(len(self._vehicle.parameters.all)):
             self._send(index)
 
     def param_request_read(self, message: Any) -> None:
         """One, by its index or by its name."""
         index: int | None = message.param_index
         if message.param_index < 0:
-            index = self._desk.parameters.find(message.param_id)
-        if index is None or index >= len(self._desk.parameters.all):
+            index = self._vehicle.parameters.index_of(message.param_id)
+        if index is None or index >= len(self._vehicle.parameters.all):
             self._refuse(message, dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST, message.param_index)
         else:
             self._send(index)
 
     def param_set(self, message: Any) -> None:
         """A new value; a refusal is sent back with the true one."""
-        index = self._desk.parameters.find(message.param_id)
+        index = self._vehicle.parameters.index_of(message.param_id)
         if index is None:
             self._refuse(message, dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST, -1)
             return
@@ -43,23 +43,27 @@ class ParameterProtocol:
         if problem is not None:
             error, reason = problem
             self._refuse(message, error, index)
-            self._desk.say(dialect.MAV_SEVERITY_NOTICE, f"refused: {message.param_id}: {reason}")
+            self._vehicle.send_text(
+                dialect.MAV_SEVERITY_NOTICE, f"refused: {message.param_id}: {reason}"
+            )
         self._send(index)
 
     def _set(self, message: Any) -> tuple[int, str] | None:
         """Set the value, or say what is wrong with it."""
-        parameters = self._desk.parameters
+        parameters = self._vehicle.parameters
         if message.param_type != REAL32:
             return dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE, "expected REAL32"
-        parameter = parameters.all[parameters.find(message.param_id) or 0]
-        if parameter.key and self._desk.snapshot().phase not in IN_THE_AIR:
+        parameter = parameters.all[parameters.index_of(message.param_id) or 0]
+        if parameter.key and not self._vehicle.snapshot().in_flight:
             return dialect.MAV_PARAM_ERROR_PERMISSION_DENIED, "not in flight"
-        if not parameters.set(message.param_id, plain(message.param_value), self._desk.give):
+        if not parameters.set(
+            message.param_id, float32_as_meant(message.param_value), self._vehicle.queue_command
+        ):
             return dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE, "out of range"
         return None
 
     def _send(self, index: int) -> None:
-        parameters = self._desk.parameters
+        parameters = self._vehicle.parameters
         name = parameters.all[index].name
         fields = {
             "param_id": name,
@@ -68,14 +72,13 @@ class ParameterProtocol:
             "param_count": len(parameters.all),
             "param_index": index,
         }
-        self._desk.send(dialect.MAVLink_param_value_message, fields)
+        self._vehicle.send(dialect.MAVLink_param_value_message, fields)
 
     def _refuse(self, message: Any, error: int, index: int) -> None:
         fields = {
-            "target_system": message.get_srcSystem(),
-            "target_component": message.get_srcComponent(),
+            **addressed_to_sender(message),
             "param_id": message.param_id,
             "param_index": index,
             "error": error,
         }
-        self._desk.send(dialect.MAVLink_param_error_message, fields)
+        self._vehicle.send(dialect.MAVLink_param_error_message, fields)

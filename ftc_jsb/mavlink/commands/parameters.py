@@ -25,21 +25,21 @@ class Parameter(NamedTuple):
     whole: bool = False
 
 
-TRACKING = (
+TRACKING_GAINS = (
     Parameter("GAIN_SPD", "1/s", "K_c of airspeed", "gains[0]"),
     Parameter("GAIN_FPA", "1/s", "K_c of flight path", "gains[1]"),
     Parameter("GAIN_HDG", "1/s", "K_c of heading", "gains[2]"),
 )
-INTEGRAL = (
+INTEGRAL_GAINS = (
     Parameter("GAIN_I_SPD", "1/s^2", "integral gain of airspeed", "integral_gains[0]"),
     Parameter("GAIN_I_FPA", "1/s^2", "of flight path", "integral_gains[1]"),
     Parameter("GAIN_I_HDG", "1/s^2", "of heading", "integral_gains[2]"),
 )
-PATH = (
+PATH_GAINS = (
     Parameter("GAIN_POS", "1/s^2", "path gain of position", "path_gains[0]"),
     Parameter("GAIN_VEL", "1/s", "path gain of velocity", "path_gains[1]"),
 )
-EVERY = (
+EVERY_LOOP = (
     Parameter("TRIM_ZETA", "1/s", "trim-input filter (10)", "trim_filter"),
     Parameter(
         "EFF_FLOOR", "1", "least effectiveness that the law divides by", "effectiveness_floor"
@@ -69,7 +69,9 @@ COVARIANCES = (
     Parameter("UKF_R_FPA", "rad^2", "of flight path", "estimator.measurement_noise[1]"),
     Parameter("UKF_R_HDG", "rad^2", "of heading", "estimator.measurement_noise[2]"),
 )
-TUNED = (Parameter("UKF_TIME", "s", "response time of the estimate", "estimator.response_time"),)
+RESPONSE_TIME = (
+    Parameter("UKF_TIME", "s", "response time of the estimate", "estimator.response_time"),
+)
 LINK_PARAMETERS = (
     Parameter("SYS_FAILURE_EN", "", "1 lets failures be injected", "", 0.0, 1.0, 0.0, True),
     Parameter("FAIL_EFF", "1", "effectiveness that SLOW leaves", "", 0.0, 1.0, 0.6),
@@ -86,12 +88,12 @@ def loop_parameters(loop: Loop) -> tuple[Parameter, ...]:
     kind = BUILT_IN.get(loop.name)
     if kind is None:
         return ()
-    found = (PATH if kind.path else TRACKING) + EVERY
+    found = (PATH_GAINS if kind.path else TRACKING_GAINS) + EVERY_LOOP
     if kind.integral:
-        found += INTEGRAL
+        found += INTEGRAL_GAINS
     if kind.estimator != NO_ESTIMATOR:
         tuned = tuned_by_sensors(loop)
-        found += DETECTOR + (TUNED if tuned else COVARIANCES)
+        found += DETECTOR + (RESPONSE_TIME if tuned else COVARIANCES)
     return found
 
 
@@ -109,17 +111,17 @@ class Parameters:
         """The loop begins anew with its own numbers; the link keeps its."""
         self._loop = loop
 
-    def find(self, name: str) -> int | None:
-        """Index of a parameter."""
+    def index_of(self, name: str) -> int | None:
+        """Index of a parameter; None where there is none of the name."""
         return self._index.get(name)
 
     def __getitem__(self, name: str) -> float:
         """Value of a parameter."""
         parameter = self.all[self._index[name]]
-        return _number(self._loop, parameter.key) if parameter.key else self._values[name]
+        return _loop_number(self._loop, parameter.key) if parameter.key else self._values[name]
 
-    def set(self, name: str, value: float, command: Callable[[SetLoop], None]) -> bool:
-        """Set a parameter that exists; what belongs to the loop goes by `command`.
+    def set(self, name: str, value: float, queue_command: Callable[[SetLoop], None]) -> bool:
+        """Set a parameter that exists; what belongs to the loop goes by `queue_command`.
 
         Returns:
             Whether the value is in range; else nothing is changed.
@@ -139,11 +141,11 @@ class Parameters:
             self._loop = changed_loop(self._loop, change)
         except ScenarioError:
             return False
-        command(change)
+        queue_command(change)
         return True
 
 
-def _number(loop: Loop, key: str) -> float:
+def _loop_number(loop: Loop, key: str) -> float:
     """A number of [loop], such as `gains[0]` or `detector.margin`."""
     place: object = loop
     for part in key.replace("]", "").replace("[", ".").split("."):
@@ -152,7 +154,7 @@ def _number(loop: Loop, key: str) -> float:
     return place
 
 
-def plain(value: float) -> float:
+def float32_as_meant(value: float) -> float:
     """A number that came as 32-bit float, as its sender meant it: the shortest that is the same."""
     import numpy as np
 

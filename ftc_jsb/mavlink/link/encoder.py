@@ -11,24 +11,24 @@ from pymavlink.dialects.v20 import common as dialect
 COMPONENT = dialect.MAV_COMP_ID_AUTOPILOT1
 EPOCH = 1_420_070_400  # [s], Unix time of 2015-01-01, from which signatures count
 TICK = 1e-5  # [s], of a signature's time stamp
-MOST_FLOAT = 3.4028234e38
+LARGEST_FLOAT = 3.4028234e38  # of 32 bits
 
 _BITS = {f"{sign}int{size}_t": (sign == "", size) for sign in ("", "u") for size in (8, 16, 32, 64)}
 _BITS["uint8_t_mavlink_version"] = (False, 8)
 
 
 @cache
-def _plan(message: type[Any]) -> tuple[tuple[str, str, int, int, int], ...]:
+def _field_formats(message: type[Any]) -> tuple[tuple[str, str, int, int, int], ...]:
     """Name, kind, array length, least and greatest of each field of a message."""
     lengths = dict(zip(message.ordered_fieldnames, message.array_lengths, strict=True))
-    plan = []
+    formats = []
     for name, kind in zip(message.fieldnames, message.fieldtypes, strict=True):
         low, high = 0, 0
         if kind in _BITS:
             signed, size = _BITS[kind]
             low, high = (-(2 ** (size - 1)), 2 ** (size - 1) - 1) if signed else (0, 2**size - 1)
-        plan.append((name, kind, lengths[name], low, high))
-    return tuple(plan)
+        formats.append((name, kind, lengths[name], low, high))
+    return tuple(formats)
 
 
 class Encoder:
@@ -47,32 +47,32 @@ class Encoder:
         mav = self._mav
         if mav.signing.sign_outgoing:
             mav.signing.timestamp = max(mav.signing.timestamp, signing_time())
-        packed: bytes = message(**self._fitted(message, fields)).pack(mav)
+        packed: bytes = message(**self._clamped_fields(message, fields)).pack(mav)
         mav.seq = (mav.seq + 1) % 256
         return packed
 
-    def _fitted(self, message: type[Any], fields: Mapping[str, Any]) -> dict[str, Any]:
+    def _clamped_fields(self, message: type[Any], fields: Mapping[str, Any]) -> dict[str, Any]:
         values: dict[str, Any] = {}
-        for name, kind, length, low, high in _plan(message):  # type: ignore[arg-type]
+        for name, kind, length, low, high in _field_formats(message):  # type: ignore[arg-type]
             value = fields.get(name, b"" if kind == "char" else 0)
             if kind == "char":
                 values[name] = value.encode("ascii", "replace") if isinstance(value, str) else value
                 values[name] = values[name][:length]
             elif length and not isinstance(value, int | float):
-                filled = [self._number(v, low, high) for v in value[:length]]
+                filled = [self._clamped_number(v, low, high) for v in value[:length]]
                 values[name] = filled + [0] * (length - len(filled))
             elif length:
-                values[name] = [self._number(value, low, high)] * length
+                values[name] = [self._clamped_number(value, low, high)] * length
             else:
-                values[name] = self._number(value, low, high)
+                values[name] = self._clamped_number(value, low, high)
         return values
 
-    def _number(self, value: float, low: int, high: int) -> float:
+    def _clamped_number(self, value: float, low: int, high: int) -> float:
         if high == 0:  # a float
-            if -MOST_FLOAT <= value <= MOST_FLOAT or not math.isfinite(value):
+            if -LARGEST_FLOAT <= value <= LARGEST_FLOAT or not math.isfinite(value):
                 return value
             self.clamped += 1
-            return math.copysign(MOST_FLOAT, value)
+            return math.copysign(LARGEST_FLOAT, value)
         if not math.isfinite(value):
             self.clamped += 1
             return high if value == math.inf else low if value == -math.inf else 0

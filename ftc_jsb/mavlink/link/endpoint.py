@@ -1,4 +1,4 @@
-"""Endpoints as a user writes them: udpout:host:port, udpin:host:port, tcpin:host:port."""
+"""Endpoints as a user writes them, udpout:host:port, udpin:host:port, tcpin:host:port; their sockets."""
 
 import ipaddress
 import socket
@@ -11,7 +11,7 @@ KINDS = ("udpout", "udpin", "tcpin")
 
 
 class Endpoint(NamedTuple):
-    """Where the vehicle sends to (udpout) or is heard by (udpin, tcpin)."""
+    """Where the vehicle sends to (udpout) or listens (udpin, tcpin; port 0 is any that is free)."""
 
     kind: Literal["udpout", "udpin", "tcpin"]
     host: str
@@ -38,7 +38,7 @@ def parse_endpoint(text: str) -> Endpoint:
     """
     kind, _, place = text.partition(":")
     host, colon, port = place.rpartition(":")
-    if kind not in KINDS or not colon or not port.isdecimal() or not 1 <= int(port) <= 65535:
+    if kind not in KINDS or not colon or not _is_port(kind, port):
         raise LinkError(
             f"--mavlink {text}: expected udpout:HOST:PORT, udpin:HOST:PORT or tcpin:HOST:PORT, "
             "such as udpout:127.0.0.1:14550"
@@ -46,7 +46,13 @@ def parse_endpoint(text: str) -> Endpoint:
     return Endpoint(cast(Literal["udpout", "udpin", "tcpin"], kind), host or LOOPBACK, int(port))
 
 
-def opened(endpoint: Endpoint) -> socket.socket:
+def _is_port(kind: str, port: str) -> bool:
+    """Whether the vehicle can listen at, or send to, a port; 0 is none that can be sent to."""
+    lowest = 1 if kind == "udpout" else 0
+    return port.isdecimal() and lowest <= int(port) <= 65535
+
+
+def open_socket(endpoint: Endpoint) -> socket.socket:
     """A socket that never blocks, bound or connected.
 
     Raises:

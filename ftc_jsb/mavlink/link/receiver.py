@@ -10,7 +10,7 @@ from ftc_jsb.mavlink.link.encoder import signing_time
 
 logging.getLogger(dialect.__name__).addHandler(logging.NullHandler())
 
-MOST_PENDING = 1024  # [bytes] of an unfinished frame of a stream: none is longer than 280
+LONGEST_UNFINISHED = 1024  # [bytes] of an unfinished frame of a stream: none is longer than 280
 
 
 class _Parser(dialect.MAVLink):  # type: ignore[misc]
@@ -76,7 +76,7 @@ class Receiver:
                 found.append(message)
         if not continues and parser.buf_len():
             self.refused += 1
-        if not continues or parser.buf_len() > MOST_PENDING:
+        if not continues or parser.buf_len() > LONGEST_UNFINISHED:
             parser.buf, parser.buf_index = bytearray(), 0
         self.received += len(found)
         return found

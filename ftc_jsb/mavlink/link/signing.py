@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ftc_jsb.errors import LinkError
 
-SHORTEST = 8  # characters
+SHORTEST_PHRASE = 8  # characters
 
 
 def load_key(path: Path) -> bytes:
@@ -18,8 +18,8 @@ def load_key(path: Path) -> bytes:
         phrase = path.read_bytes().strip()
     except OSError as error:
         raise LinkError(f"--mavlink-key {path}: cannot be read: {error.strerror}") from None
-    if len(phrase) < SHORTEST or b"\n" in phrase:
+    if len(phrase) < SHORTEST_PHRASE or b"\n" in phrase:
         raise LinkError(
-            f"--mavlink-key {path}: expected a pass phrase of one line, {SHORTEST} characters or more"
+            f"--mavlink-key {path}: expected a pass phrase of one line, {SHORTEST_PHRASE} characters or more"
         )
     return hashlib.sha256(phrase).digest()

@@ -6,17 +6,20 @@ import time
 from collections.abc import Hashable, Iterator
 from typing import Protocol
 
-from ftc_jsb.mavlink.link.endpoint import Endpoint, opened
+from ftc_jsb.mavlink.link.endpoint import Endpoint, open_socket
 
 MOST_PEERS = 8
-SILENCE = 30.0  # [s] after which a peer of a UDP port is no longer sent to
+PEER_TIMEOUT = 30.0  # [s] of silence after which a peer of a UDP port is no longer sent to
 BACKLOG = 256 * 1024  # [bytes] that a TCP client may be behind before frames are dropped
-LARGEST = 2048  # [bytes] of one read: no honest datagram is longer, and none takes long to parse
+LARGEST_READ = (
+    2048  # [bytes] of one read: no honest datagram is longer, and none takes long to parse
+)
 
 
 class Transport(Protocol):
     """A way to ground stations."""
 
+    endpoint: Endpoint  # with the port that it has, where it was to be any
     unsent: int  # frames that a peer did not take
 
     def receive(self, limit: float) -> Iterator[tuple[Hashable, bytes, bool]]:
@@ -26,39 +29,46 @@ class Transport(Protocol):
             limit: the clock's time [s] after which no more is read.
         """
 
-    def welcome(self, peer: Hashable) -> None:
-        """A peer has sent a frame that is understood and trusted."""
+    def accept_peer(self, peer: Hashable) -> None:
+        """A peer has sent a frame that is understood and trusted: it is sent to from now on."""
 
     def send(self, frame: bytes) -> None:
         """Send to every peer, or count."""
 
-    def gone(self) -> list[Hashable]:
+    def disconnected(self) -> list[Hashable]:
         """Peers that have left since the last call."""
 
     def close(self) -> None:
-        """Let go."""
+        """Close every socket."""
 
 
-def transport(endpoint: Endpoint, selector: selectors.BaseSelector) -> Transport:
-    """The transport of an endpoint; its sockets are registered with `selector`."""
-    sock = opened(endpoint)
+def open_transport(endpoint: Endpoint, selector: selectors.BaseSelector) -> Transport:
+    """The transport of an endpoint; its sockets are registered with `selector`.
+
+    Raises:
+        LinkError: the endpoint cannot be used.
+    """
+    sock = open_socket(endpoint)
+    if endpoint.port == 0:
+        endpoint = endpoint._replace(port=sock.getsockname()[1])
     if endpoint.kind == "tcpin":
-        return _TcpServer(sock, selector)
+        return _TcpServer(endpoint, sock, selector)
     selector.register(sock, selectors.EVENT_READ)
-    return _Udp(sock, None if endpoint.kind == "udpin" else sock.getpeername())
+    return _Udp(endpoint, sock)
 
 
 class _Udp:
-    def __init__(self, sock: socket.socket, peer: Hashable | None) -> None:
+    def __init__(self, endpoint: Endpoint, sock: socket.socket) -> None:
+        self.endpoint = endpoint
         self._socket = sock
-        self._connected = peer is not None
+        self._connected = endpoint.kind == "udpout"
         self._peers: dict[Hashable, float] = {}
         self.unsent = 0
 
     def receive(self, limit: float) -> Iterator[tuple[Hashable, bytes, bool]]:
         while time.monotonic() < limit:
             try:
-                data, peer = self._socket.recvfrom(LARGEST)
+                data, peer = self._socket.recvfrom(LARGEST_READ)
             except BlockingIOError:
                 return
             except OSError:  # the other side's port is closed
@@ -66,7 +76,7 @@ class _Udp:
                 continue
             yield peer, data, False
 
-    def welcome(self, peer: Hashable) -> None:
+    def accept_peer(self, peer: Hashable) -> None:
         now = time.monotonic()
         if peer in self._peers or len(self._peers) < MOST_PEERS:
             self._peers[peer] = now
@@ -78,7 +88,7 @@ class _Udp:
             except OSError:
                 self.unsent += 1
             return
-        oldest = time.monotonic() - SILENCE
+        oldest = time.monotonic() - PEER_TIMEOUT
         for peer in [peer for peer, heard in self._peers.items() if heard < oldest]:
             del self._peers[peer]
         for peer in self._peers:
@@ -87,7 +97,7 @@ class _Udp:
             except OSError:
                 self.unsent += 1
 
-    def gone(self) -> list[Hashable]:
+    def disconnected(self) -> list[Hashable]:
         return []
 
     def close(self) -> None:
@@ -95,20 +105,23 @@ class _Udp:
 
 
 class _TcpServer:
-    def __init__(self, sock: socket.socket, selector: selectors.BaseSelector) -> None:
+    def __init__(
+        self, endpoint: Endpoint, sock: socket.socket, selector: selectors.BaseSelector
+    ) -> None:
+        self.endpoint = endpoint
         self._server = sock
         self._selector = selector
-        self._waiting: dict[socket.socket, bytearray] = {}
-        self._gone: list[Hashable] = []
+        self._backlogs: dict[socket.socket, bytearray] = {}
+        self._disconnected: list[Hashable] = []
         self.unsent = 0
         selector.register(sock, selectors.EVENT_READ)
 
     def receive(self, limit: float) -> Iterator[tuple[Hashable, bytes, bool]]:
         self._accept()
-        for client in list(self._waiting):
+        for client in list(self._backlogs):
             while time.monotonic() < limit:
                 try:
-                    data = client.recv(LARGEST)
+                    data = client.recv(LARGEST_READ)
                 except BlockingIOError:
                     break
                 except OSError:
@@ -123,25 +136,25 @@ class _TcpServer:
             client, _ = self._server.accept()
         except OSError:
             return
-        if len(self._waiting) >= MOST_PEERS:
+        if len(self._backlogs) >= MOST_PEERS:
             client.close()
             return
         client.setblocking(False)
         client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        self._waiting[client] = bytearray()
+        self._backlogs[client] = bytearray()
         self._selector.register(client, selectors.EVENT_READ)
 
-    def welcome(self, peer: Hashable) -> None:
+    def accept_peer(self, peer: Hashable) -> None:
         pass  # who connects to a port of ours is sent to at once
 
     def send(self, frame: bytes) -> None:
-        for client, waiting in list(self._waiting.items()):
-            if len(waiting) + len(frame) > BACKLOG:
+        for client, backlog in list(self._backlogs.items()):
+            if len(backlog) + len(frame) > BACKLOG:
                 self.unsent += 1
             else:
-                waiting += frame
+                backlog += frame
             try:
-                del waiting[: client.send(waiting)]
+                del backlog[: client.send(backlog)]
             except BlockingIOError:
                 continue
             except OSError:
@@ -151,14 +164,14 @@ class _TcpServer:
     def _drop(self, client: socket.socket) -> None:
         self._selector.unregister(client)
         client.close()
-        del self._waiting[client]
-        self._gone.append(client)
+        del self._backlogs[client]
+        self._disconnected.append(client)
 
-    def gone(self) -> list[Hashable]:
-        gone, self._gone = self._gone, []
-        return gone
+    def disconnected(self) -> list[Hashable]:
+        left, self._disconnected = self._disconnected, []
+        return left
 
     def close(self) -> None:
-        for client in list(self._waiting):
+        for client in list(self._backlogs):
             self._drop(client)
         self._server.close()

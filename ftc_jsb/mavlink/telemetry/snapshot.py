@@ -15,11 +15,13 @@ from ftc_jsb.simulation.assembly import point_mass_of
 
 Angles = tuple[float, float, float]
 
-WILD = 1e12  # in any unit: a number beyond it is of a flight that is lost, and told as unknown
+LARGEST_PLAUSIBLE = (
+    1e12  # in any unit: a number beyond it is of a flight that is lost, and sent as unknown
+)
 
 
 class Phase(Enum):
-    """Where a flight is, as the link tells it."""
+    """Where a flight is, as ground stations see it."""
 
     WAITING = "waiting"  # not yet begun
     FLYING = "flying"
@@ -28,7 +30,7 @@ class Phase(Enum):
     LOST = "lost"  # departed, failed or interrupted
 
 
-class Counters(NamedTuple):
+class LinkHealth(NamedTuple):
     """What SYS_STATUS tells of the link itself."""
 
     load: float = 0.0  # share of the last sample's time that the flight took
@@ -42,17 +44,32 @@ class Snapshot(NamedTuple):
     """A vehicle at one sample, SI and rad."""
 
     phase: Phase
-    counters: Counters
+    health: LinkHealth
     unix: float  # [s]
     row: dict[str, float]  # of the recording; empty while waiting
-    attitude: Angles
-    rates: Angles
-    thrust_idle: float
-    thrust_maximum: float
+    attitude: Angles  # roll, pitch, yaw [rad]
+    rates: Angles  # about the axes of the body [rad/s]
+    thrust_idle: float  # [N]
+    thrust_maximum: float  # [N]
     origin: Origin  # of north and east
 
+    @property
+    def in_flight(self) -> bool:
+        """Whether it flies or is paused."""
+        return self.phase in (Phase.FLYING, Phase.PAUSED)
 
-class Observatory:
+    @property
+    def time_boot_ms(self) -> float:
+        """Time of flight [ms]; 0 while waiting."""
+        return 1e3 * self.row.get("time", 0.0)
+
+    @property
+    def time_usec(self) -> float:
+        """Time of flight [us]; 0 while waiting."""
+        return 1e6 * self.row.get("time", 0.0)
+
+
+class SnapshotBuilder:
     """Makes snapshots of rows of the recordings of one scenario."""
 
     def __init__(self, scenario: Scenario) -> None:
@@ -64,20 +81,21 @@ class Observatory:
         self._rates = direct(body_rates, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
         self._limits = direct(thrust_limits, self._model, 0.0, 0.0)
 
-    def waiting(self, unix: float, counters: Counters) -> Snapshot:
+    def waiting(self, unix: float, health: LinkHealth) -> Snapshot:
         """Before the first row."""
         nowhere = (0.0, 0.0, 0.0)
         return Snapshot(
-            Phase.WAITING, counters, unix, {}, nowhere, nowhere, 0.0, 0.0, self._origin
+            Phase.WAITING, health, unix, {}, nowhere, nowhere, 0.0, 0.0, self._origin
         )  # fmt: skip
 
     def at(
-        self, record: npt.NDArray[Any], i: int, phase: Phase, unix: float, counters: Counters
+        self, record: npt.NDArray[Any], i: int, phase: Phase, unix: float, health: LinkHealth
     ) -> Snapshot:
         """Of row `i`, which is complete."""
         names, values = record.dtype.names or (), record[i].tolist()
         row = {
-            name: v if -WILD < v < WILD else math.nan for name, v in zip(names, values, strict=True)
+            name: v if -LARGEST_PLAUSIBLE < v < LARGEST_PLAUSIBLE else math.nan
+            for name, v in zip(names, values, strict=True)
         }
         now = (row["roll"], row["pitch"], row["yaw"])
         rates = (row["roll_rate"], row["pitch_rate"], row["yaw_rate"])
@@ -87,4 +105,4 @@ class Observatory:
             apart = float(record[i]["time"] - before["time"])  # more than a sample if thinned
             rates = self._rates(then, now, apart or self._dt)
         idle, most = self._limits(self._model, row["airspeed"], row["altitude"])
-        return Snapshot(phase, counters, unix, row, now, rates, idle, most, self._origin)
+        return Snapshot(phase, health, unix, row, now, rates, idle, most, self._origin)

@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from ftc_jsb.mavlink.telemetry.status_texts import LONGEST, Watch
+from ftc_jsb.mavlink.telemetry.flight_events import LONGEST_TEXT, FlightEvents
 
 
 def told(flight, step=1000000):
     """Times [s] and texts, looked for `step` rows at a time."""
-    watch, record = Watch(flight.scenario), flight.record
+    finder, record = FlightEvents(flight.scenario), flight.record
     events = []
     for first in range(0, record.size, step):
-        events += watch.news(record, first, min(first + step, record.size))
+        events += finder.find(record, first, min(first + step, record.size))
     return [(round(float(record["time"][e.row]), 2), e.text) for e in events]
 
 
@@ -53,5 +53,5 @@ def test_limits_are_told_when_near_and_when_broken(flown):
 
 def test_texts_fit_their_field(flown):
     flight = flown("severe", "model=jsbsim")
-    assert all(len(text) <= LONGEST for _, text in told(flight))
+    assert all(len(text) <= LONGEST_TEXT for _, text in told(flight))
     assert np.all(np.diff([time for time, _ in told(flight)]) >= 0.0)

@@ -1,14 +1,13 @@
-"""Messages about the vehicle itself: heartbeat, health, home, clocks."""
+"""Messages about the vehicle itself: heartbeat, health, home, clocks, version."""
 
 import math
-from typing import Any
 
 from pymavlink.dialects.v20 import common as dialect
 
+import ftc_jsb
+from ftc_jsb.mavlink.link.message_fields import UNKNOWN_16, Fields
 from ftc_jsb.mavlink.telemetry.quaternion import quaternion
 from ftc_jsb.mavlink.telemetry.snapshot import Phase, Snapshot
-
-Fields = dict[str, Any]
 
 CUSTOM_MODE = 15  # what MAVProxy calls GUIDED on a plane: the flight follows set-points
 MODE = (
@@ -38,8 +37,13 @@ STATES = {
     Phase.OVER: dialect.MAV_STATE_STANDBY,
     Phase.LOST: dialect.MAV_STATE_FLIGHT_TERMINATION,
 }
-IN_THE_AIR = (Phase.FLYING, Phase.PAUSED)
-UNKNOWN_16 = 2**16 - 1
+CAPABILITIES = (
+    dialect.MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT
+    | dialect.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST
+    | dialect.MAV_PROTOCOL_CAPABILITY_COMMAND_INT
+    | dialect.MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION
+    | dialect.MAV_PROTOCOL_CAPABILITY_MAVLINK2
+)
 
 
 def heartbeat(s: Snapshot) -> Fields:
@@ -47,7 +51,7 @@ def heartbeat(s: Snapshot) -> Fields:
     return {
         "type": dialect.MAV_TYPE_FIXED_WING,
         "autopilot": dialect.MAV_AUTOPILOT_GENERIC,
-        "base_mode": MODE | (ARMED if s.phase in IN_THE_AIR else 0),
+        "base_mode": MODE | (ARMED if s.in_flight else 0),
         "custom_mode": CUSTOM_MODE,
         "system_status": STATES[s.phase],
         "mavlink_version": 3,
@@ -56,33 +60,32 @@ def heartbeat(s: Snapshot) -> Fields:
 
 def sys_status(s: Snapshot) -> Fields:
     """SYS_STATUS: propulsion is unhealthy while the detector declares a fault; the link's counters."""
-    healthy = s.row.get("fault_declared", 0.0) < 0.5
-    c = s.counters
+    no_fault = s.row.get("fault_declared", 0.0) < 0.5
     return {
         "onboard_control_sensors_present": SENSORS | ENGINE,
         "onboard_control_sensors_enabled": SENSORS | ENGINE,
-        "onboard_control_sensors_health": SENSORS | (ENGINE if healthy else 0),
-        "load": min(max(1000.0 * c.load, 0.0), 1000.0),
+        "onboard_control_sensors_health": SENSORS | (ENGINE if no_fault else 0),
+        "load": min(max(1000.0 * s.health.load, 0.0), 1000.0),
         "voltage_battery": UNKNOWN_16,
         "current_battery": -1,
         "battery_remaining": -1,
-        "errors_comm": c.refused % 2**16,
-        "errors_count1": c.overruns % 2**16,
-        "errors_count2": c.clamped % 2**16,
-        "errors_count3": c.unsent % 2**16,
+        "errors_comm": s.health.refused % 2**16,
+        "errors_count1": s.health.overruns % 2**16,
+        "errors_count2": s.health.clamped % 2**16,
+        "errors_count3": s.health.unsent % 2**16,
     }
 
 
 def system_time(s: Snapshot) -> Fields:
     """SYSTEM_TIME: the wall clock, and the time of flight."""
-    return {"time_unix_usec": 1e6 * s.unix, "time_boot_ms": 1e3 * s.row.get("time", 0.0)}
+    return {"time_unix_usec": 1e6 * s.unix, "time_boot_ms": s.time_boot_ms}
 
 
 def extended_sys_state(s: Snapshot) -> Fields:
     """EXTENDED_SYS_STATE: in the air while it flies."""
     in_air = dialect.MAV_LANDED_STATE_IN_AIR
     undefined = dialect.MAV_LANDED_STATE_UNDEFINED
-    return {"landed_state": in_air if s.phase in IN_THE_AIR else undefined}
+    return {"landed_state": in_air if s.in_flight else undefined}
 
 
 def home_position(s: Snapshot) -> Fields:
@@ -95,5 +98,20 @@ def home_position(s: Snapshot) -> Fields:
         "approach_x": math.nan,
         "approach_y": math.nan,
         "approach_z": math.nan,
-        "time_usec": 1e6 * s.row.get("time", 0.0),
+        "time_usec": s.time_usec,
+    }
+
+
+def autopilot_version() -> Fields:
+    """AUTOPILOT_VERSION: capabilities, and the version of this program as 0xMMmmpp00."""
+    numbers = [int(part) for part in ftc_jsb.__version__.split(".")[:3] if part.isdecimal()]
+    major, minor, patch = (*numbers, 0, 0, 0)[:3]
+    version = major << 24 | minor << 16 | patch << 8
+    return {
+        "capabilities": CAPABILITIES,
+        "flight_sw_version": version,
+        "flight_custom_version": [0] * 8,
+        "middleware_custom_version": [0] * 8,
+        "os_custom_version": [0] * 8,
+        "uid2": [0] * 18,
     }

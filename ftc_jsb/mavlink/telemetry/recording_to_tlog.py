@@ -7,9 +7,9 @@ from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.mavlink.link.encoder import Encoder
 from ftc_jsb.mavlink.link.telemetry_log import TelemetryLog
-from ftc_jsb.mavlink.telemetry.snapshot import Counters, Observatory, Phase
-from ftc_jsb.mavlink.telemetry.status_texts import Watch
-from ftc_jsb.mavlink.telemetry.streams import Timetable, contents
+from ftc_jsb.mavlink.telemetry.flight_events import FlightEvents
+from ftc_jsb.mavlink.telemetry.message_streams import StreamSchedule, message_fields
+from ftc_jsb.mavlink.telemetry.snapshot import LinkHealth, Phase, SnapshotBuilder
 from ftc_jsb.recording.flight import Flight
 
 
@@ -17,9 +17,9 @@ def write_tlog(flight: Flight, path: Path) -> None:
     """Write a telemetry log of a flight; a recording has no date, so the log begins in 1970."""
     record = flight.record
     time = 0.0
-    timetable = Timetable(lambda: time)
-    encoder, observatory = Encoder(1), Observatory(flight.scenario)
-    events = Watch(flight.scenario).news(record, 0, record.size)
+    schedule = StreamSchedule(lambda: time)
+    encoder, snapshots = Encoder(1), SnapshotBuilder(flight.scenario)
+    events = FlightEvents(flight.scenario).find(record, 0, record.size)
     with TelemetryLog(path) as log:
         while time <= float(record["time"][-1]):
             i = max(int(np.searchsorted(record["time"], time, side="right")) - 1, 0)
@@ -27,8 +27,8 @@ def write_tlog(flight: Flight, path: Path) -> None:
                 event = events.pop(0)
                 fields = {"severity": event.severity, "text": event.text}
                 log.write(encoder.frame(dialect.MAVLink_statustext_message, fields), time)
-            snapshot = observatory.at(record, i, Phase.FLYING, time, Counters())
-            for stream in timetable.due():
-                for fields in contents(stream, snapshot):
+            snapshot = snapshots.at(record, i, Phase.FLYING, time, LinkHealth())
+            for stream in schedule.due():
+                for fields in message_fields(stream, snapshot):
                     log.write(encoder.frame(stream.message, fields), time)
-            time = timetable.next()
+            time = schedule.next()

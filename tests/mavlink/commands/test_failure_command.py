@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.commands.failures import failure
+from ftc_jsb.mavlink.commands.failure_faults import Failure, faults_of_failure
 from ftc_jsb.recording.commands import Applied
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.assembly import point_mass_of
@@ -23,7 +23,7 @@ OK, OFF, STUCK, GARBAGE, WRONG, SLOW, DELAYED = 0, 1, 2, 3, 4, 5, 6
 def made(model, unit, kind, instance=1):
     scenario = load_scenario("nominal", [f"model={model}", "duration=4"])
     engines = point_mass_of(scenario).thrust.engines
-    return scenario, failure(scenario, engines, unit, kind, instance, 0.6, 0.5)
+    return scenario, faults_of_failure(scenario, engines, Failure(unit, kind, instance, 0.6, 0.5))
 
 
 @pytest.mark.parametrize(

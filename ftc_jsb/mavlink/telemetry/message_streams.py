@@ -6,25 +6,25 @@ from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.telemetry import motion, status
-from ftc_jsb.mavlink.telemetry import outer_loop as story
+from ftc_jsb.mavlink.link.message_fields import Fields
+from ftc_jsb.mavlink.telemetry import motion_messages as motion
+from ftc_jsb.mavlink.telemetry import outer_loop_messages as outer_loop
+from ftc_jsb.mavlink.telemetry import status_messages as status
 from ftc_jsb.mavlink.telemetry.snapshot import Phase, Snapshot
 
-Fields = dict[str, Any]
-
-FASTEST = 200.0  # [Hz] that a message can be asked for
-TOGETHER = 0.01  # [s] by which messages are sent early, so that several are made of one look
-SLOWEST_HEARTBEAT = 1.0  # [Hz]: clients give a vehicle up that is slower
+HIGHEST_RATE = 200.0  # [Hz] that a message can be asked for
+EARLY = 0.01  # [s] by which messages are sent early, so that several are made of one snapshot
+LOWEST_HEARTBEAT_RATE = 1.0  # [Hz]: clients give a vehicle up that is slower
 
 
 class Stream(NamedTuple):
-    """A message, its default rate, what it is made by, and its group for REQUEST_DATA_STREAM."""
+    """A message, its default rate, what builds it, and its group for REQUEST_DATA_STREAM."""
 
     message: type[Any]
     rate: float  # [Hz]; 0 = on request
     build: Callable[[Snapshot], Fields | Iterable[Fields]]
     group: int
-    waits: bool = True  # for the first row
+    of_row: bool = True  # made of a row: not sent before the first
 
     @property
     def id(self) -> int:
@@ -40,11 +40,11 @@ _HUD = dialect.MAV_DATA_STREAM_EXTRA2
 _EXTRA = dialect.MAV_DATA_STREAM_EXTRA3
 
 STREAMS = (
-    Stream(dialect.MAVLink_heartbeat_message, 1.0, status.heartbeat, -1, waits=False),
-    Stream(dialect.MAVLink_sys_status_message, 1.0, status.sys_status, _STATUS, waits=False),
-    Stream(dialect.MAVLink_system_time_message, 1.0, status.system_time, _EXTRA, waits=False),
-    Stream(dialect.MAVLink_extended_sys_state_message, 1.0, status.extended_sys_state, _STATUS, waits=False),
-    Stream(dialect.MAVLink_home_position_message, 0.5, status.home_position, _STATUS, waits=False),
+    Stream(dialect.MAVLink_heartbeat_message, 1.0, status.heartbeat, -1, of_row=False),
+    Stream(dialect.MAVLink_sys_status_message, 1.0, status.sys_status, _STATUS, of_row=False),
+    Stream(dialect.MAVLink_system_time_message, 1.0, status.system_time, _EXTRA, of_row=False),
+    Stream(dialect.MAVLink_extended_sys_state_message, 1.0, status.extended_sys_state, _STATUS, of_row=False),
+    Stream(dialect.MAVLink_home_position_message, 0.5, status.home_position, _STATUS, of_row=False),
     Stream(dialect.MAVLink_attitude_message, 25.0, motion.attitude, _ATTITUDE),
     Stream(dialect.MAVLink_attitude_quaternion_message, 0.0, motion.attitude_quaternion, _ATTITUDE),
     Stream(dialect.MAVLink_global_position_int_message, 10.0, motion.global_position_int, _POSITION),
@@ -56,22 +56,22 @@ STREAMS = (
     Stream(dialect.MAVLink_actuator_output_status_message, 5.0, motion.actuator_output_status, _CONTROL),
     Stream(dialect.MAVLink_hil_state_quaternion_message, 5.0, motion.hil_state_quaternion, _EXTRA),
     Stream(dialect.MAVLink_wind_cov_message, 1.0, motion.wind_cov, _EXTRA),
-    Stream(dialect.MAVLink_named_value_float_message, 5.0, story.named_value_float, _EXTRA),
-    Stream(dialect.MAVLink_debug_float_array_message, 10.0, story.debug_float_array, _EXTRA),
+    Stream(dialect.MAVLink_named_value_float_message, 5.0, outer_loop.named_value_float, _EXTRA),
+    Stream(dialect.MAVLink_debug_float_array_message, 10.0, outer_loop.debug_float_array, _EXTRA),
 )  # fmt: skip
-BY_ID = {stream.id: stream for stream in STREAMS}
+STREAM_BY_ID = {stream.id: stream for stream in STREAMS}
 HEARTBEAT = dialect.MAVLink_heartbeat_message.id
 
 
-def contents(stream: Stream, s: Snapshot) -> Iterable[Fields]:
+def message_fields(stream: Stream, s: Snapshot) -> Iterable[Fields]:
     """Fields of the messages of a stream at a snapshot; none before what it is made of is there."""
-    if stream.waits and s.phase is Phase.WAITING:
+    if stream.of_row and s.phase is Phase.WAITING:
         return ()
     built = stream.build(s)
     return (built,) if isinstance(built, dict) else built
 
 
-class Timetable:
+class StreamSchedule:
     """When each message is due. A late one is sent once, not made up for."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
@@ -83,7 +83,7 @@ class Timetable:
         for index, stream in enumerate(STREAMS):
             if stream.rate > 0.0:
                 self._period[stream.id] = 1.0 / stream.rate
-                spread = index / len(STREAMS) if stream.waits else 0.0
+                spread = index / len(STREAMS) if stream.of_row else 0.0
                 self._due[stream.id] = now + spread / stream.rate
 
     def due(self) -> list[Stream]:
@@ -91,8 +91,8 @@ class Timetable:
         now = self._clock()
         found = []
         for message, when in self._due.items():
-            if when <= now + TOGETHER:
-                found.append(BY_ID[message])
+            if when <= now + EARLY:
+                found.append(STREAM_BY_ID[message])
                 after = when + self._period[message]
                 self._due[message] = after if after > now else now + self._period[message]
         return found
@@ -108,9 +108,9 @@ class Timetable:
 
     def set_rate(self, message: int, rate: float) -> bool:
         """Send a message at `rate` [Hz], 0 for never; whether that can be done."""
-        if message not in BY_ID or not 0.0 <= rate <= FASTEST:
+        if message not in STREAM_BY_ID or not 0.0 <= rate <= HIGHEST_RATE:
             return False
-        if message == HEARTBEAT and rate < SLOWEST_HEARTBEAT:
+        if message == HEARTBEAT and rate < LOWEST_HEARTBEAT_RATE:
             return False
         self._period.pop(message, None)
         self._due.pop(message, None)
@@ -124,4 +124,4 @@ class Timetable:
         for stream in STREAMS:
             every = group == dialect.MAV_DATA_STREAM_ALL and stream.rate > 0.0
             if stream.group >= 0 and (stream.group == group or every):
-                self.set_rate(stream.id, min(rate, FASTEST))
+                self.set_rate(stream.id, min(rate, HIGHEST_RATE))

@@ -46,7 +46,7 @@ def test_only_the_holder_of_the_key_is_obeyed():
             ground.close()
     assert flight_goes_on
     assert [command.kind for _, command in flight.commands] == ["set-airspeed", "end"]
-    assert up.live.tally.refused == 4
+    assert up.live.statistics.refused == 4
 
 
 def test_replayed_frame_is_refused():

@@ -1,4 +1,4 @@
-"""What STATUSTEXT tells of a flight: faults and limits, from the rows that have been flown."""
+"""Events of a flight for STATUSTEXT: faults and limits, from the rows that have been flown."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -9,23 +9,22 @@ from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.analysis.limits import limited_variables
 from ftc_jsb.disturbance.faults import ENGINE_OUT, HEALTHY, HELD, TIME_TOLERANCE
-from ftc_jsb.scenario.limits import Limits
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.vocabulary.channels import CHANNELS, ENGINES, SURFACES
 from ftc_jsb.vocabulary.signals import SENSED
 
-WHOLE = 1.0 - 1e-9  # effectiveness below which there is a fault
-STEP = 0.02  # change of an effectiveness from one sample to the next that is told
-NEAR = 0.05  # of a limit's range: this close to its end is near
-SETTLED = 0.01  # an estimate that moves less than this ...
-SETTLING = 0.5  # ... in this time [s] has isolated the fault
-LONGEST = 50  # characters of a text
+FULL_EFFECTIVENESS = 1.0 - 1e-9  # effectiveness below which there is a fault
+EFFECTIVENESS_STEP = 0.02  # change from one sample to the next that is an event
+NEAR_LIMIT = 0.05  # of a limit's range: this close to its end is near
+SETTLED_CHANGE = 0.01  # an estimate that moves less than this ...
+SETTLING_TIME = 0.5  # ... in this time [s] has isolated the fault
+LONGEST_TEXT = 50  # characters
 
 NOTICE, WARNING = dialect.MAV_SEVERITY_NOTICE, dialect.MAV_SEVERITY_WARNING
 CRITICAL = dialect.MAV_SEVERITY_CRITICAL
 
 
-STATES = {ENGINE_OUT: "out", HELD: "stuck"}
+STATE_NAMES = {ENGINE_OUT: "out", HELD: "stuck"}
 SCHEDULED = (  # name, column, whether it is a state rather than an effectiveness
     *((channel.replace("_", " "), f"effectiveness_{channel}", False) for channel in CHANNELS),
     *((surface, f"{surface}_effectiveness", False) for surface in SURFACES),
@@ -42,29 +41,31 @@ class Event(NamedTuple):
     text: str
 
 
-class Watch:
-    """Looks at rows in order, once each, and tells what happened in them."""
+class FlightEvents:
+    """Finds the events of rows, which are given in order and once each."""
 
     def __init__(self, scenario: Scenario) -> None:
         """Args: what is flown."""
         self._limits = scenario.limits
         self._sensor_faults = [f for f in scenario.fault if f.target in SENSED]
         self._margin = scenario.loop.detector.margin
-        self._window = max(1, round(SETTLING * scenario.loop.rate))
-        self._near: dict[str, int] = {}  # 0 inside, 1 near, 2 broken
+        self._window = max(1, round(SETTLING_TIME * scenario.loop.rate))
+        self._limit_levels: dict[str, int] = {}  # 0 inside, 1 near, 2 broken
         self._isolated = False
 
-    def news(self, record: npt.NDArray[Any], first: int, beyond: int) -> list[Event]:
+    def find(self, record: npt.NDArray[Any], first: int, beyond: int) -> list[Event]:
         """Events of rows `first` to `beyond - 1`, in their order."""
         found = [
-            *self._faults(record, first, beyond),
-            *self._sensors(record, first, beyond),
-            *self._detector(record, first, beyond),
-            *self._broken(record[first:beyond], first, self._limits),
+            *self._schedule_events(record, first, beyond),
+            *self._sensor_events(record, first, beyond),
+            *self._detector_events(record, first, beyond),
+            *self._limit_events(record[first:beyond], first),
         ]
         return sorted(found, key=lambda event: event.row)
 
-    def _faults(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
+    def _schedule_events(
+        self, record: npt.NDArray[Any], first: int, beyond: int
+    ) -> Iterator[Event]:
         """Onsets, jumps and ends of what stands in the schedule."""
         for name, column, is_state in SCHEDULED:
             sound = HEALTHY if is_state else 1.0
@@ -72,17 +73,19 @@ class Watch:
             if first == 0:
                 values = np.concatenate(([sound], values))
             before, now = values[:-1], values[1:]
-            faulty = now != sound if is_state else now < WHOLE
-            changed = np.abs(now - before) > (0.0 if is_state else STEP)
-            was = before != sound if is_state else before < WHOLE
+            faulty = now != sound if is_state else now < FULL_EFFECTIVENESS
+            changed = np.abs(now - before) > (0.0 if is_state else EFFECTIVENESS_STEP)
+            was = before != sound if is_state else before < FULL_EFFECTIVENESS
             for k in np.flatnonzero((faulty & (changed | ~was)) | (~faulty & was)):
                 if faulty[k]:
-                    what = STATES.get(int(now[k]), "hard over") if is_state else f"{now[k]:.2f}"
+                    what = (
+                        STATE_NAMES.get(int(now[k]), "hard over") if is_state else f"{now[k]:.2f}"
+                    )
                     yield Event(first + int(k), WARNING, f"fault injected: {name} {what}")
                 else:
                     yield Event(first + int(k), NOTICE, f"fault removed: {name}")
 
-    def _sensors(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
+    def _sensor_events(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
         """Onsets and ends of the scenario's faults of sensors, which stand in no column."""
         times = record["time"][first:beyond]
         for fault in self._sensor_faults:
@@ -97,7 +100,10 @@ class Watch:
                 if k < times.size and new:
                     yield Event(first + k, WARNING, text)
 
-    def _detector(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
+    def _detector_events(
+        self, record: npt.NDArray[Any], first: int, beyond: int
+    ) -> Iterator[Event]:
+        """Declarations of the detector, and what is isolated."""
         declared = record["fault_declared"][max(first - 1, 0) : beyond] > 0.5
         if first == 0:
             declared = np.concatenate(([False], declared))
@@ -119,11 +125,13 @@ class Watch:
         worst, least = "", 1.0 - self._margin
         for channel in CHANNELS:
             name = f"effectiveness_{channel}_est"
-            if abs(row[name] - before[name]) < SETTLED and row[name] < least:
+            if abs(row[name] - before[name]) < SETTLED_CHANGE and row[name] < least:
                 worst, least = channel.replace("_", " "), float(row[name])
         return f"fault isolated: {worst} {least:.2f}" if worst else ""
 
-    def _broken(self, rows: npt.NDArray[Any], first: int, limits: Limits) -> Iterator[Event]:
+    def _limit_events(self, rows: npt.NDArray[Any], first: int) -> Iterator[Event]:
+        """Limits that are come near to, or broken."""
+        limits = self._limits
         bounded = [name for name in type(limits).model_fields if getattr(limits, name)]
         if not bounded or not rows.size:
             return
@@ -131,11 +139,13 @@ class Watch:
         for name in bounded:
             low, high = getattr(limits, name)
             margin = np.minimum(variables[name] - low, high - variables[name])
-            level = np.where(margin < 0.0, 2, np.where(margin < NEAR * (high - low), 1, 0))
+            level = np.where(margin < 0.0, 2, np.where(margin < NEAR_LIMIT * (high - low), 1, 0))
             level = np.where(np.isfinite(margin), level, 0)
-            before = np.concatenate(([self._near.get(name, 0)], level[:-1]))
-            self._near[name] = int(level[-1])
+            before = np.concatenate(([self._limit_levels.get(name, 0)], level[:-1]))
+            self._limit_levels[name] = int(level[-1])
             for k in np.flatnonzero(level > before):
                 word, severity = ("broken", CRITICAL) if level[k] == 2 else ("near", WARNING)
                 value = f"{variables[name][k]:.4g}"
-                yield Event(first + int(k), severity, f"limit {word}: {name} {value}"[:LONGEST])
+                yield Event(
+                    first + int(k), severity, f"limit {word}: {name} {value}"[:LONGEST_TEXT]
+                )

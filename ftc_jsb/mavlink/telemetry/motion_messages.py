@@ -1,16 +1,13 @@
 """Messages about the motion of the aircraft: the truth, in MAVLink's units."""
 
 import math
-from typing import Any
 
 from pymavlink.dialects.v20 import common as dialect
 
+from ftc_jsb.mavlink.link.message_fields import UNKNOWN_8, UNKNOWN_16, Fields
 from ftc_jsb.mavlink.telemetry.geodesy import latitude_longitude
 from ftc_jsb.mavlink.telemetry.quaternion import quaternion
 from ftc_jsb.mavlink.telemetry.snapshot import Snapshot
-
-Fields = dict[str, Any]
-UNKNOWN_8, UNKNOWN_16 = 2**8 - 1, 2**16 - 1
 
 
 def ground_velocity(s: Snapshot) -> tuple[float, float, float]:
@@ -26,19 +23,11 @@ def ground_velocity(s: Snapshot) -> tuple[float, float, float]:
 
 def _position(s: Snapshot) -> Fields:
     row = s.row
-    found = latitude_longitude(row["north"], row["east"], row["altitude"], s.origin)
-    return {"lat": 1e7 * found[0], "lon": 1e7 * found[1]}
+    latitude, longitude = latitude_longitude(row["north"], row["east"], row["altitude"], s.origin)
+    return {"lat": 1e7 * latitude, "lon": 1e7 * longitude}
 
 
-def _boot(s: Snapshot) -> float:
-    return 1e3 * s.row["time"]  # [ms]
-
-
-def _usec(s: Snapshot) -> float:
-    return 1e6 * s.row["time"]
-
-
-def _angular(s: Snapshot) -> Fields:
+def _angular_velocity(s: Snapshot) -> Fields:
     return {"rollspeed": s.rates[0], "pitchspeed": s.rates[1], "yawspeed": s.rates[2]}
 
 
@@ -52,9 +41,9 @@ def _centidegrees(angle: float) -> int:
     return math.floor(1e2 * math.degrees(angle)) % 36000 if math.isfinite(angle) else UNKNOWN_16
 
 
-def _share(part: float, whole: float) -> float:
-    """`part` over `whole`; 0 where there is none."""
-    ratio = part / whole if whole else 0.0
+def _throttle(s: Snapshot) -> float:
+    """Commanded over greatest thrust; 0 where there is none."""
+    ratio = _command(s, "thrust") / s.thrust_maximum if s.thrust_maximum else 0.0
     return ratio if math.isfinite(ratio) else 0.0
 
 
@@ -62,20 +51,20 @@ def attitude(s: Snapshot) -> Fields:
     """ATTITUDE."""
     roll, pitch, yaw = s.attitude
     angles = {"roll": _wrapped(roll), "pitch": pitch, "yaw": _wrapped(yaw)}
-    return {"time_boot_ms": _boot(s), **angles, **_angular(s)}
+    return {"time_boot_ms": s.time_boot_ms, **angles, **_angular_velocity(s)}
 
 
 def attitude_quaternion(s: Snapshot) -> Fields:
     """ATTITUDE_QUATERNION."""
     q = dict(zip(("q1", "q2", "q3", "q4"), quaternion(*s.attitude), strict=True))
-    return {"time_boot_ms": _boot(s), **q, **_angular(s)}
+    return {"time_boot_ms": s.time_boot_ms, **q, **_angular_velocity(s)}
 
 
 def global_position_int(s: Snapshot) -> Fields:
     """GLOBAL_POSITION_INT; velocities beyond 327.67 m/s do not fit and are clamped."""
     north, east, up = ground_velocity(s)
     return {
-        "time_boot_ms": _boot(s),
+        "time_boot_ms": s.time_boot_ms,
         **_position(s),
         "alt": 1e3 * s.row["altitude"],
         "relative_alt": 1e3 * s.row["altitude"],
@@ -89,35 +78,34 @@ def global_position_int(s: Snapshot) -> Fields:
 def local_position_ned(s: Snapshot) -> Fields:
     """LOCAL_POSITION_NED over the scenario's origin at sea level; velocities of any size."""
     north, east, up = ground_velocity(s)
-    place = {"x": s.row["north"], "y": s.row["east"], "z": -s.row["altitude"]}
-    return {"time_boot_ms": _boot(s), **place, "vx": north, "vy": east, "vz": -up}
+    position = {"x": s.row["north"], "y": s.row["east"], "z": -s.row["altitude"]}
+    return {"time_boot_ms": s.time_boot_ms, **position, "vx": north, "vy": east, "vz": -up}
 
 
 def vfr_hud(s: Snapshot) -> Fields:
     """VFR_HUD with true airspeed; throttle is the commanded thrust over its greatest."""
     north, east, up = ground_velocity(s)
-    throttle = _share(_command(s, "thrust", "thrust"), s.thrust_maximum)
     return {
         "airspeed": s.row["airspeed"],
         "groundspeed": math.hypot(north, east),
         "heading": _centidegrees(s.attitude[2]) // 100,
-        "throttle": min(max(100.0 * throttle, 0.0), 100.0),
+        "throttle": min(max(100.0 * _throttle(s), 0.0), 100.0),
         "alt": s.row["altitude"],
         "climb": up,
     }
 
 
-def _command(s: Snapshot, name: str, otherwise: str) -> float:
+def _command(s: Snapshot, name: str) -> float:
     """A command; the last row of a flight has none, there the truth."""
     value = s.row[f"{name}_cmd"]
-    return value if math.isfinite(value) else s.row[otherwise]
+    return value if math.isfinite(value) else s.row[name]
 
 
 def gps_raw_int(s: Snapshot) -> Fields:
     """GPS_RAW_INT: a fix of unknown quality."""
     north, east, _ = ground_velocity(s)
     return {
-        "time_usec": _usec(s),
+        "time_usec": s.time_usec,
         "fix_type": dialect.GPS_FIX_TYPE_3D_FIX,
         **_position(s),
         "alt": 1e3 * s.row["altitude"],
@@ -132,34 +120,34 @@ def gps_raw_int(s: Snapshot) -> Fields:
 def attitude_target(s: Snapshot) -> Fields:
     """ATTITUDE_TARGET: bank command, flight path reference plus alpha, heading reference; thrust."""
     row = s.row
-    roll = _command(s, "bank_angle", "bank_angle")
+    roll = _command(s, "bank_angle")
     pitch = row["flight_path_angle_ref"] + row["alpha"]
-    rates = (
+    no_rates = (
         dialect.ATTITUDE_TARGET_TYPEMASK_BODY_ROLL_RATE_IGNORE
         | dialect.ATTITUDE_TARGET_TYPEMASK_BODY_PITCH_RATE_IGNORE
         | dialect.ATTITUDE_TARGET_TYPEMASK_BODY_YAW_RATE_IGNORE
     )
     return {
-        "time_boot_ms": _boot(s),
-        "type_mask": rates,
+        "time_boot_ms": s.time_boot_ms,
+        "type_mask": no_rates,
         "q": quaternion(roll, pitch, row["heading_ref"]),
-        "thrust": _share(_command(s, "thrust", "thrust"), s.thrust_maximum),
+        "thrust": _throttle(s),
     }
 
 
 def nav_controller_output(s: Snapshot) -> Fields:
     """NAV_CONTROLLER_OUTPUT: what is wanted, and reference minus truth."""
     row = s.row
-    track = (row["north_ref"] - row["north"], row["east_ref"] - row["east"])
+    off_track = (row["north_ref"] - row["north"], row["east_ref"] - row["east"])
     heading = row["heading_ref"]
     return {
-        "nav_roll": math.degrees(_command(s, "bank_angle", "bank_angle")),
+        "nav_roll": math.degrees(_command(s, "bank_angle")),
         "nav_pitch": math.degrees(row["flight_path_angle_ref"]),
         "nav_bearing": math.degrees(_wrapped(heading)),
         "target_bearing": math.degrees(_wrapped(row["heading_cmd_raw"])),
         "alt_error": row["altitude_ref"] - row["altitude"],
         "aspd_error": row["airspeed_ref"] - row["airspeed"],
-        "xtrack_error": track[1] * math.cos(heading) - track[0] * math.sin(heading),
+        "xtrack_error": off_track[1] * math.cos(heading) - off_track[0] * math.sin(heading),
     }
 
 
@@ -167,9 +155,9 @@ def actuator_output_status(s: Snapshot) -> Fields:
     """ACTUATOR_OUTPUT_STATUS: throttle (1 military, 2 reheat), elevator, aileron, rudder, flap [rad]."""
     names = ("throttle", "elevator", "aileron", "rudder", "flap")
     values = [s.row[name] for name in names]
-    there = [value if math.isfinite(value) else 0.0 for value in values]
+    known = [value if math.isfinite(value) else 0.0 for value in values]
     active = sum(1 << k for k, value in enumerate(values) if math.isfinite(value))
-    return {"time_usec": _usec(s), "active": active, "actuator": there}
+    return {"time_usec": s.time_usec, "active": active, "actuator": known}
 
 
 def hil_state_quaternion(s: Snapshot) -> Fields:
@@ -177,9 +165,9 @@ def hil_state_quaternion(s: Snapshot) -> Fields:
     row = s.row
     north, east, up = ground_velocity(s)
     return {
-        "time_usec": _usec(s),
+        "time_usec": s.time_usec,
         "attitude_quaternion": quaternion(*s.attitude),
-        **_angular(s),
+        **_angular_velocity(s),
         **_position(s),
         "alt": 1e3 * row["altitude"],
         "vx": 1e2 * north,
@@ -197,7 +185,7 @@ def wind_cov(s: Snapshot) -> Fields:
     """WIND_COV: the truth."""
     unknown = math.nan
     return {
-        "time_usec": _usec(s),
+        "time_usec": s.time_usec,
         "wind_x": s.row.get("wind_north", 0.0),
         "wind_y": s.row.get("wind_east", 0.0),
         "wind_z": -s.row.get("wind_up", 0.0),
