@@ -1,10 +1,12 @@
 """Limits that every flight has, from its aircraft and its references; a scenario's own stand in their place."""
 
+import contextlib
 import math
 
 import numpy as np
 
 from ftc_jsb.aircraft.point_mass_file import PointMass
+from ftc_jsb.errors import AircraftError
 from ftc_jsb.scenario.limits import Limits
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.assembly import point_mass_of
@@ -13,26 +15,28 @@ BANK_MARGIN = 25.0  # [deg] beyond the bank of the steepest turn that the refere
 LEAST_BANK = 60.0  # [deg] that no flight is blamed for
 LOAD_FACTOR_MARGIN = 0.5  # beyond what the loop may command: overshoot of the inner loop
 ALPHA_MARGIN = 5.0  # [deg] beyond the angles that the aircraft was identified at
-SIDESLIP = 10.0  # [deg]
-GROUND_CLEARANCE = 50.0  # [m] above sea level
-CEILING = 20000.0  # [m]
-ERROR_AIRSPEED = 15.0  # [m/s]
-ERROR_PATH = 5.0  # [deg]
-ERROR_HEADING = 10.0  # [deg]
+LIMITS: dict[str, tuple[float, float]] = {  # of any aircraft
+    "altitude": (50.0, 20000.0),  # [m] above sea level
+    "sideslip_deg": (-10.0, 10.0),
+    "error_airspeed": (-15.0, 15.0),  # [m/s]
+    "error_flight_path_deg": (-5.0, 5.0),
+    "error_heading_deg": (-10.0, 10.0),
+}
 
 
 def flight_limits(scenario: Scenario) -> Limits:
     """[limits] of a scenario, defaults in place of those that it does not give.
 
-    Raises:
-        AircraftError: the aircraft is not there.
+    Of a recording whose aircraft is not there any more, those that need no aircraft.
     """
-    given = scenario.limits.model_dump(exclude_none=True)
-    return Limits(**{**default_limits(scenario, point_mass_of(scenario)), **given})
+    found = dict(LIMITS)
+    with contextlib.suppress(AircraftError):
+        found |= aircraft_limits(scenario, point_mass_of(scenario))
+    return Limits(**{**found, **scenario.limits.model_dump(exclude_none=True)})
 
 
-def default_limits(scenario: Scenario, aircraft: PointMass) -> dict[str, tuple[float, float]]:
-    """Limits by key, in the keys' units.
+def aircraft_limits(scenario: Scenario, aircraft: PointMass) -> dict[str, tuple[float, float]]:
+    """Limits that follow from an aircraft, by key, in the keys' units.
 
     Args:
         scenario: its references say how far the aircraft has to bank.
@@ -41,13 +45,8 @@ def default_limits(scenario: Scenario, aircraft: PointMass) -> dict[str, tuple[f
     bank = max(LEAST_BANK, steepest_bank(scenario, aircraft) + BANK_MARGIN)
     load = aircraft.load_factor
     found = {
-        "altitude": (GROUND_CLEARANCE, CEILING),
         "bank_deg": (-bank, bank),
         "load_factor": (load.minimum - LOAD_FACTOR_MARGIN, load.maximum + LOAD_FACTOR_MARGIN),
-        "sideslip_deg": (-SIDESLIP, SIDESLIP),
-        "error_airspeed": (-ERROR_AIRSPEED, ERROR_AIRSPEED),
-        "error_flight_path_deg": (-ERROR_PATH, ERROR_PATH),
-        "error_heading_deg": (-ERROR_HEADING, ERROR_HEADING),
     }
     if aircraft.measured_drag is not None:
         low, high = (math.degrees(aircraft.measured_drag.alpha[k]) for k in (0, -1))

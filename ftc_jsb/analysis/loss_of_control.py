@@ -15,10 +15,12 @@ STALLED = (math.radians(-20.0), math.radians(35.0))  # [rad], angle of attack
 SLIPPED = math.radians(20.0)  # [rad], sideslip
 RATES = (4.5, 2.0, 1.5)  # [rad/s] of roll, pitch and yaw: beyond what the inner loops ask for
 DEPARTED_TIME = 0.2  # [s] without a break
-LOST_AIRSPEED = 0.3  # of the reference
-LOST_PATH = math.radians(30.0)  # [rad]
-LOST_HEADING = math.radians(90.0)  # [rad]
-GROWING = 5.0  # [s] over which an error that is lost has grown
+DIVERGING = (  # variable, its title, error beyond which it is lost when it grows
+    ("airspeed", "airspeed", 0.3),  # of the reference
+    ("flight_path_angle", "flight path", math.radians(30.0)),  # [rad]
+    ("heading", "heading", math.radians(90.0)),  # [rad]
+)
+AWAY = 5.0  # [s] over which the aircraft has gone away from its reference
 
 
 class LossOfControl(NamedTuple):
@@ -32,7 +34,7 @@ def loss_of_control(record: npt.NDArray[Any]) -> LossOfControl | None:
     """The first loss of control of a flight; None where there is none.
 
     Inverted: bank beyond 100 deg for half a second. Departed: angle of attack, sideslip or body rates
-    beyond what an airframe is flown at. Diverging: an error of tracking that is large and has grown for 5 s.
+    beyond what an airframe is flown at. Diverging: far from the reference and going away from it for 5 s.
     """
     if record.size < 2:
         return None
@@ -45,10 +47,11 @@ def loss_of_control(record: npt.NDArray[Any]) -> LossOfControl | None:
         "angle of attack": ((alpha < STALLED[0]) | (alpha > STALLED[1]), DEPARTED_TIME),
         "sideslip": (np.abs(sideslip) > SLIPPED, DEPARTED_TIME),
         "body rates": (fast, DEPARTED_TIME),
-        "airspeed diverges": (_diverging(_airspeed_error(record), LOST_AIRSPEED, period), 0.0),
-        "flight path diverges": (_diverging(_error(record, "flight_path_angle"), LOST_PATH, period), 0.0),
-        "heading diverges": (_diverging(_error(record, "heading"), LOST_HEADING, period), 0.0),
-    }  # fmt: skip
+        **{
+            f"{title} diverges": (_diverging(record, name, most, period), 0.0)
+            for name, title, most in DIVERGING
+        },
+    }
     found = [
         LossOfControl(float(record["time"][first]), kind)
         for kind, (where, seconds) in kinds.items()
@@ -63,21 +66,19 @@ def inverted(record: npt.NDArray[Any]) -> Mask:
     return np.asarray(np.abs(np.arctan2(np.sin(bank), np.cos(bank))) > INVERTED)
 
 
-def _error(record: npt.NDArray[Any], name: str) -> Array:
-    return np.asarray(np.abs(record[name] - record[f"{name}_ref"]))
+def _diverging(record: npt.NDArray[Any], name: str, most: float, period: float) -> Mask:
+    """Where a variable is far from its reference, and has gone away from it for the last seconds.
 
-
-def _airspeed_error(record: npt.NDArray[Any]) -> Array:
-    return np.asarray(_error(record, "airspeed") / record["airspeed_ref"])
-
-
-def _diverging(error: Array, most: float, period: float) -> Mask:
-    """Where an error is beyond `most` and larger than it was GROWING ago, when it was not small."""
-    steps = max(round(GROWING / period), 1)
-    result = np.zeros(error.size, dtype=bool)
-    if error.size > steps:
-        before = error[:-steps]
-        result[steps:] = (error[steps:] > most) & (error[steps:] > before) & (before > 0.5 * most)
+    A reference that goes away from the aircraft is none of the aircraft's doing.
+    """
+    value, error = record[name], record[name] - record[f"{name}_ref"]
+    if name == "airspeed":
+        error = error / np.maximum(record["airspeed_ref"], 1.0)
+    steps = max(round(AWAY / period), 1)
+    result = np.zeros(record.size, dtype=bool)
+    if record.size > steps:
+        away = (value[steps:] - value[:-steps]) * error[steps:] > 0.0
+        result[steps:] = away & (np.abs(error[steps:]) > most)
     return result
 
 

@@ -1,8 +1,6 @@
 """The verdict on a flight: the worst that is true of it, and what else a reader must know beside it."""
 
-from typing import Any
-
-from ftc_jsb.vocabulary.channels import CHANNELS
+from typing import Any, NamedTuple
 
 Metrics = dict[str, Any]
 
@@ -34,22 +32,42 @@ def passed(metrics: Metrics) -> bool:
     return bool(metrics["verdict"] == INSIDE)
 
 
-def reservations(metrics: Metrics) -> list[str]:
-    """What a reader must know beside the verdict, in a few words each: an estimate that is wrong, blind, ..."""
+class Reservation(NamedTuple):
+    """A number that a reader must know beside the verdict, and the words around it."""
+
+    before: str
+    place: tuple[str, ...]  # of the number, in the metrics
+    factor: float
+    digits: int
+    after: str
+
+    def text(self, metrics: Metrics) -> str:
+        """The words with the number."""
+        value: Any = metrics
+        for key in self.place:
+            value = value[key]
+        return f"{self.before}{self.factor * value:.{self.digits}f}{self.after}"
+
+
+def reservations(metrics: Metrics) -> list[Reservation]:
+    """An estimate that is wrong, false alarms, an estimate flown blind, a flight outside the fitted range."""
     found = []
     error = metrics["effectiveness_thrust_error_p95"]
     if error is not None and error > WRONG_ESTIMATE:
-        found.append(f"estimate wrong by {error:.2f}")
-    alarms = metrics["false_alarms"]
-    if alarms:
-        found.append(f"{alarms} false alarm{'s' if alarms > 1 else ''}")
-    for channel in CHANNELS:
-        part = metrics["unobservable_fraction"].get(channel)
+        place: tuple[str, ...] = ("effectiveness_thrust_error_p95",)
+        found.append(Reservation("estimate wrong by ", place, 1.0, 2, ""))
+    if metrics["false_alarms"]:
+        found.append(Reservation("false alarms: ", ("false_alarms",), 1.0, 0, ""))
+    percent = 100.0
+    for channel, part in metrics["unobservable_fraction"].items():
         if part is not None and part > NOTABLE:
+            name = channel.replace("_", " ")
+            place = ("unobservable_fraction", channel)
             found.append(
-                f"{channel.replace('_', ' ')} estimated blind {100.0 * part:.0f} % of the time"
+                Reservation(f"{name} estimated blind ", place, percent, 0, " % of the time")
             )
     outside = metrics["outside_identified_fraction"]
     if outside is not None and outside > NOTABLE:
-        found.append(f"outside the fitted range {100.0 * outside:.0f} % of the time")
+        place = ("outside_identified_fraction",)
+        found.append(Reservation("outside the fitted range ", place, percent, 0, " % of the time"))
     return found

@@ -94,4 +94,4 @@ def verdict(metrics: Metrics) -> str:
         )
     elif broken:
         found = f"limit broken: {limit_title(broken[0]['name'])} at {broken[0]['time']:.1f} s"
-    return "; ".join([found, *reservations(metrics)])
+    return "; ".join([found, *(said.text(metrics) for said in reservations(metrics))])

@@ -83,7 +83,10 @@ def verdict(document: Document, label: str) -> Markup:
         at = quote(document, ("flights", label, "limits_broken", 0, "time"), 1)
         name = limit_title(metrics["limits_broken"][0]["name"])
         found = Markup("limit broken: {} at {} s").format(name, at)
-    return Markup("; ").join([found, *reservations(metrics)])
+    for said in reservations(metrics):
+        number = quote(document, ("flights", label, *said.place), said.digits, said.factor)
+        found += Markup("; {}{}{}").format(said.before, number, said.after)
+    return found
 
 
 def _flown(flight: Flight) -> list[str]:
@@ -155,13 +158,13 @@ def _truth(index: int, document: Document) -> Answer:
     place = ("point_mass_told_the_truth", index)
     kind = {"yes": GOOD, "in part": HALF, "no": BAD}[entry["answer"]]
     same = "same verdicts as JSBSim" if entry["same_verdict"] else "not the verdicts of JSBSim"
-    text = Markup("{}; {} differs by {} {} RMS, {} times the {:g} {} agreed").format(
+    text = Markup("{}; {} differs by {} {} RMS, {} times the {} {} agreed").format(
         same,
         entry["decides"]["title"],
         quote(document, (*place, "decides", "rms"), 3),
         entry["decides"]["unit"],
         quote(document, (*place, "decides", "times_agreed"), 1),
-        entry["decides"]["agreed"],
+        quote(document, (*place, "decides", "agreed"), 1),
         entry["decides"]["unit"],
     )
     for part, name in (("motion", "motion and commands"), ("tracking_errors", "tracking errors")):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from ftc_jsb.analysis.validity import compare_flights, difference, judge
+from ftc_jsb.scenario.schema import Agreement
 
 TIME = np.linspace(0.0, 2.0 * np.pi, 10_001)[:-1]
 
@@ -48,21 +49,21 @@ def test_the_identified_point_mass_is_nearer_to_jsbsim_than_the_papers(flown):
 
 
 @pytest.mark.parametrize(
-    ("same", "motion", "errors", "answer"),
+    ("same", "airspeed", "heading", "answer", "decides"),
     [
-        (True, 0.1, 0.1, "yes"),
-        (True, 0.1, 0.5, "in part"),
-        (True, 0.4, 0.1, "no"),
-        (False, 0.1, 0.1, "no"),
+        (True, 0.2, 0.1, "yes", "airspeed"),  # 0.67 times the 0.3 m/s agreed
+        (True, 0.2, 0.3, "in part", "heading"),  # 1.5 times the 0.2 deg
+        (True, 1.5, 0.3, "no", "airspeed"),  # 5 times
+        (False, 0.2, 0.1, "no", "airspeed"),
     ],
 )
-def test_the_answer_needs_the_verdict_the_motion_and_the_errors(
-    flown, same, motion, errors, answer
+def test_the_answer_needs_the_verdict_and_what_is_agreed_to_be_small(
+    flown, same, airspeed, heading, answer, decides
 ):
     flight = flown("paper")
     variables = compare_flights(flight, flight)
-    variables["load_factor"]["theil"] = motion
-    variables["error_heading_deg"]["theil"] = errors
-    found = judge([{"same_verdict": same, "variables": variables}])
+    variables["airspeed_mps"]["rms"] = airspeed
+    variables["heading_deg"]["rms"] = heading
+    found = judge([{"same_verdict": same, "variables": variables}], Agreement())
     assert found["answer"] == answer
-    assert found["motion"]["title"] == "Load factor"
+    assert found["decides"]["title"] == decides

@@ -65,7 +65,7 @@ def test_own_loop_flies(model):
 @pytest.mark.parametrize(
     ("name", "says"),
     [
-        ("ftv", "expected one of ftc, no-ftc, oracle, integral, ekf"),
+        ("ftv", "expected one of ftc, no-ftc, law, law-no-ftc, oracle"),
         ("no.such.module:Loop", "cannot import 'no.such.module'"),
         (f"{HERE}:NoLoop", "has no 'NoLoop'"),
         (":Loop", "expected one of ftc"),

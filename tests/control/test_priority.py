@@ -8,7 +8,7 @@ import pytest
 
 from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.priority import DESCENT, affordable, payable_climb
+from ftc_jsb.control.priority import DESCENT, Budget, affordable, payable_climb
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import at_condition
 from tests.point_mass.models import PAPER
@@ -20,12 +20,13 @@ FLIGHT = (300.0, 3048.0)  # [m/s], [m]
 @compiled
 def afford(model: Any, thrust: float, path: float, path_ref: float, turn: float) -> Any:
     at = at_condition(model[0], 300.0, 3048.0)
-    return affordable(at, thrust, 300.0, path, path_ref, 0.0, 0.0, turn)
+    return affordable(at, Budget(thrust, 0.0), 300.0, path, path_ref, 0.0, 0.0, turn)
 
 
 @compiled
 def climb_of(model: Any, thrust: float, load_factor: float) -> float:
-    return payable_climb(at_condition(model[0], 300.0, 3048.0), thrust, 300.0, load_factor, 0.0)
+    at = at_condition(model[0], 300.0, 3048.0)
+    return payable_climb(at, Budget(thrust, 0.0), 300.0, load_factor, 0.0)
 
 
 @compiled

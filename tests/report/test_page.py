@@ -145,14 +145,13 @@ def test_page_tells_how_to_fly_it_again(written):
 
 
 def test_first_screen_answers_both_questions(written):
-    """With FTC every model keeps its limits. The paper's point mass has no inner loop, and so neither its
-    lag nor the tracking errors that it makes: the truth in part. The other answer is the document's.
-    """
+    """With FTC every model keeps its limits, and is helped. The other answer is the document's."""
     head = written.page.split('id="results"')[0]
-    tolerated, told = head.split("Did the point mass tell the truth?")
+    first, told = head.split("Did the point mass tell the truth?")
+    tolerated, helped = first.split("Did FTC help?")
     assert re.findall(r'class="badge (\w+)">([^<]+)', tolerated) == [("good", "Yes")] * 3
+    assert re.findall(r'class="badge (\w+)">([^<]+)', helped) == [("good", "Helped")] * 3
     truth = {e["model"]: e["answer"] for e in written.document["point_mass_told_the_truth"]}
-    assert truth["Point mass (paper)"] == "in part"
     shown = re.findall(r'class="badge \w+">([^<]+)</span> <span><strong>([^<]+)', told)
     assert {model: word.lower() for word, model in shown} == truth
 

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 from pymavlink.dialects.v20 import common as dialect
 
+from ftc_jsb.analysis.default_limits import flight_limits
 from ftc_jsb.analysis.limits import limited_variables
 from ftc_jsb.disturbance.faults import ENGINE_OUT, HEALTHY, HELD, TIME_TOLERANCE
 from ftc_jsb.scenario.schema import Scenario
@@ -46,7 +47,7 @@ class FlightEvents:
 
     def __init__(self, scenario: Scenario) -> None:
         """Args: what is flown."""
-        self._limits = scenario.limits
+        self._limits = flight_limits(scenario)
         self._sensor_faults = [f for f in scenario.fault if f.target in SENSED]
         self._margin = scenario.loop.detector.margin
         self._window = max(1, round(SETTLING_TIME * scenario.loop.rate))
