@@ -10,6 +10,7 @@ from pydantic import ValidationError
 
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.resources import shipped
+from ftc_jsb.scenario.keys import key_parts
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.typed_file import first_problem
 
@@ -105,26 +106,22 @@ def _override(values: dict[str, Any], override: str) -> None:
         value = text.strip()
     except (ValueError, RecursionError) as error:
         raise ScenarioError(f"--set {key.strip()}: cannot be read: {error}") from None
-    parts = key.strip().replace("[", ".").replace("]", "").split(".")
+    parts = key_parts(key)
     place: Any = values
     for index, part in enumerate(parts):
-        last = index == len(parts) - 1
-        if isinstance(place, list):
-            if not part.isdigit() or int(part) >= len(place):
-                raise ScenarioError(
-                    f"--set {key}: {'.'.join(parts[:index])} has {len(place)} entries; "
-                    f"{part!r} is none of 0 to {len(place) - 1}"
-                )
-            selector: Any = int(part)
-        else:
-            selector = part
-        if last:
+        before = ".".join(map(str, parts[:index]))
+        if isinstance(place, list) and not (isinstance(part, int) and part < len(place)):
+            raise ScenarioError(
+                f"--set {key}: {before} has {len(place)} entries; "
+                f"{str(part)!r} is none of 0 to {len(place) - 1}"
+            )
+        selector = part if isinstance(place, list) else str(part)
+        if index == len(parts) - 1:
             place[selector] = value
-        else:
-            if isinstance(place, dict):
-                place.setdefault(selector, {})
-            place = place[selector]
-            if not isinstance(place, dict | list):
-                raise ScenarioError(
-                    f"--set {key}: {'.'.join(parts[: index + 1])} is a value, not a section"
-                )
+            return
+        if isinstance(place, dict):
+            place.setdefault(selector, {})
+        place = place[selector]
+        if not isinstance(place, dict | list):
+            so_far = ".".join(map(str, parts[: index + 1]))
+            raise ScenarioError(f"--set {key}: {so_far} is a value, not a section")

@@ -1,7 +1,6 @@
 """Commands applied to a flight: the rows to come are rewritten, the loop's settings replaced."""
 
 import math
-import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -23,6 +22,7 @@ from ftc_jsb.recording.commands import (
     SetHeading,
     SetLoop,
 )
+from ftc_jsb.scenario.keys import key_parts
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import impossible
@@ -138,9 +138,7 @@ def changed_loop(loop: Loop, command: SetLoop) -> Loop:
     """
     values: dict[str, Any] = loop.model_dump()
     place: Any = values
-    *way, last = (
-        int(part) if part.isdigit() else part for part in re.split(r"[.\[\]]+", command.key) if part
-    )
+    *way, last = key_parts(command.key)
     try:
         for part in way:
             inside = place[part]

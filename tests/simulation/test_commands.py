@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from ftc_jsb.analysis.metrics import flight_metrics, passed
+from ftc_jsb.analysis.metrics import flight_metrics
+from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.errors import RecordingError, ScenarioError
 from ftc_jsb.recording import commands as c
 from ftc_jsb.recording.columns import ROW

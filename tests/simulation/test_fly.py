@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from ftc_jsb.analysis.metrics import flight_metrics, passed
+from ftc_jsb.analysis.metrics import flight_metrics
+from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.load import load_scenario

@@ -8,6 +8,7 @@ from ftc_jsb.control.records import NO_ESTIMATOR
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.built_in import BUILT_IN, tuned_by_sensors
 from ftc_jsb.recording.commands import SetLoop
+from ftc_jsb.scenario.keys import key_parts, value_at
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.simulation.steering import changed_loop
 
@@ -147,11 +148,7 @@ class Parameters:
 
 def _loop_number(loop: Loop, key: str) -> float:
     """A number of [loop], such as `gains[0]` or `detector.margin`."""
-    place: object = loop
-    for part in key.replace("]", "").replace("[", ".").split("."):
-        place = place[int(part)] if isinstance(place, tuple) else getattr(place, part)
-    assert isinstance(place, float)
-    return place
+    return float(value_at(loop.model_dump(), key_parts(key)))
 
 
 def float32_as_meant(value: float) -> float:

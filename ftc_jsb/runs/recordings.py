@@ -1,0 +1,33 @@
+"""Recordings that exist, read and labelled."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from ftc_jsb.errors import RecordingError
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.recording.netcdf import load
+
+Flights = dict[str, Flight]
+
+
+def labelled_recordings(paths: Sequence[Path]) -> tuple[Flights, list[str]]:
+    """Flights of recordings, labelled so that each is told apart; and what could not be read.
+
+    Raises:
+        RecordingError: none of them can be read.
+    """
+    loaded, broken = [], []
+    for path in paths:
+        try:
+            loaded.append((path, load(path)))
+        except RecordingError as error:
+            broken.append(str(error))
+    if not loaded:
+        raise RecordingError("; ".join(broken))
+    flights: Flights = {}
+    for path, flight in loaded:
+        label = flight.label
+        if sum(other.label == label for _, other in loaded) > 1:
+            label = f"{label} ({flight.scenario.name}, {path.parent.name or path.name})"
+        flights[label if label not in flights else f"{label} [{len(flights)}]"] = flight
+    return flights, broken
