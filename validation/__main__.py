@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ftc_jsb.analysis.metrics import passed
+from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.errors import UserError
 from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.load import load_scenario, scenario_names
