@@ -140,9 +140,9 @@ def fly(
     if as_json:
         click.echo(json.dumps(result.document, indent=2))
     else:
-        from ftc_jsb.report.terminal_table import print_table
+        from ftc_jsb.report.terminal.flights import print_flights
 
-        print_table({result.label: result.metrics})
+        print_flights({result.label: result.metrics})
         click.echo(f"Recording: {folder / 'flight.nc'}")
     _exit_by(result.metrics)
 
@@ -420,7 +420,8 @@ def margins(
         for channel in CHANNELS:  # written as it goes: an interruption loses nothing finished
             found.append(channel_margins(flown, channel, tell, amplitude))
             write_metrics(folder / "margins.json", document(flown, found))
-        from ftc_jsb.report.margins_output import bode_figure, print_margins
+        from ftc_jsb.report.figures.bode import bode_figure
+        from ftc_jsb.report.terminal.margins import print_margins
 
         what = flown.aircraft.name if model != "paper" else "paper"
         at = f"{flown.initial.airspeed:g} m/s, {flown.initial.altitude:g} m"
@@ -545,7 +546,7 @@ def _paced(watch: Any, rate: float) -> Any:
 
 
 def _margins(files: Sequence[Path]) -> list[Any]:
-    from ftc_jsb.report.margins_files import read_margins
+    from ftc_jsb.report.measured_margins import read_margins
 
     return [read_margins(path) for path in files]
 
@@ -557,15 +558,15 @@ def _write_report(
     unread: tuple[str, ...] = (),
     margins: Sequence[Any] = (),
 ) -> None:
-    from ftc_jsb.report.page import write_report
-    from ftc_jsb.report.terminal_table import print_table
+    from ftc_jsb.report.page.write import write_report
+    from ftc_jsb.report.terminal.flights import print_flights
 
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
     document = write_report(flights, folder, command, unread, margins)
     if as_json:
         click.echo(json.dumps(document, indent=2))
     else:
-        print_table(document["flights"])
+        print_flights(document["flights"])
         click.echo(f"Report: {folder / 'report.html'}")
 
 

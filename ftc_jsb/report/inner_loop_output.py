@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 from ftc_jsb.aircraft.description import Aircraft, load_aircraft
 from ftc_jsb.inner_loop_design.criteria import COLUMNS, fly_steps, table_row
 from ftc_jsb.inner_loop_design.design import design, write_design
-from ftc_jsb.report.step_figure import steps_figure
+from ftc_jsb.report.figures.steps import steps_figure
 
 DPI = 110
 

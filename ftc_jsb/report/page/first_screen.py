@@ -1,6 +1,5 @@
 """The first screen: what was flown, whether the fault was tolerated, whether the point mass told the truth."""
 
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
@@ -8,18 +7,13 @@ from markupsafe import Markup
 from ftc_jsb.analysis.metrics import passed
 from ftc_jsb.analysis.validity import ACCEPTED
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.display_names import (
-    air_and_sensors,
-    fault_sentences,
-    limit_title,
-    loop_title,
-    model_title,
-)
-from ftc_jsb.report.fault_marks import fault_times
-from ftc_jsb.report.flight_groups import by_scenario
-from ftc_jsb.report.quoted_numbers import quote
+from ftc_jsb.report.fault_times import fault_times
+from ftc_jsb.report.flight_groups import Flights, by_scenario
+from ftc_jsb.report.page.linked_numbers import linked_number
+from ftc_jsb.report.page.scenario_facts import air_and_sensors, fault_sentences
+from ftc_jsb.report.titles import loop_title, model_title
+from ftc_jsb.report.verdicts import verdict
 
-Flights = Mapping[str, Flight]
 Document = dict[str, Any]
 INTOLERANT = ("no-ftc",)  # loops that take every actuator for healthy
 LEAST_GIVEN_UP = 0.1  # [deg] or [deg/s]: less is not worth a word
@@ -63,17 +57,13 @@ def first_screen(flights: Flights, document: Document) -> list[Screen]:
     ]
 
 
-def verdict(document: Document, label: str) -> Markup:
-    """How a flight ended, its time quoted."""
-    metrics = document["flights"][label]
-    if metrics["status"] != "complete":
-        end = quote(document, ("flights", label, "end_time_s"), 1)
-        return Markup("{} at {} s").format(metrics["status"], end)
-    if passed(metrics):
-        return Markup("inside limits")
-    at = quote(document, ("flights", label, "limits_broken", 0, "time"), 1)
-    name = limit_title(metrics["limits_broken"][0]["name"])
-    return Markup("limit broken: {} at {} s").format(name, at)
+def linked_verdict(document: Document, label: str) -> Markup:
+    """How a flight ended, its time linked to metrics.json."""
+    words, time_at = verdict(document["flights"][label])
+    if time_at is None:
+        return Markup("{}").format(words)
+    time = linked_number(document, ("flights", label, *time_at), 1)
+    return Markup("{} at {} s").format(words, time)
 
 
 def _flown(flight: Flight) -> list[str]:
@@ -105,7 +95,8 @@ def _tolerated(label: str, members: Flights, document: Document) -> Answer:
         subject += f", {loop_title(scenario)}"
     good = passed(document["flights"][label])
     sentence = Markup("{}; airspeed RMSE {} m/s").format(
-        verdict(document, label), quote(document, ("flights", label, "rmse_airspeed_mps"), 3)
+        linked_verdict(document, label),
+        linked_number(document, ("flights", label, "rmse_airspeed_mps"), 3),
     )
     sentence += _given_up(label, document)
     for index, pair in enumerate(document["with_and_without"]):
@@ -113,9 +104,9 @@ def _tolerated(label: str, members: Flights, document: Document) -> Answer:
             continue
         other = pair["without_ftc"]
         sentence += Markup(". Without FTC: {}, {} m/s, {} times as much").format(
-            verdict(document, other),
-            quote(document, ("flights", other, "rmse_airspeed_mps"), 2),
-            quote(document, ("with_and_without", index, "ratio", "rmse_airspeed_mps"), 1),
+            linked_verdict(document, other),
+            linked_number(document, ("flights", other, "rmse_airspeed_mps"), 2),
+            linked_number(document, ("with_and_without", index, "ratio", "rmse_airspeed_mps"), 1),
         )
     return Answer(GOOD if good else BAD, "Yes" if good else "No", subject, sentence)
 
@@ -128,7 +119,7 @@ def _given_up(label: str, document: Document) -> Markup:
         ("peak_turn_given_up_deg_s", "of turn", "deg/s"),
     ):
         if (document["flights"][label].get(key) or 0.0) >= LEAST_GIVEN_UP:
-            most = quote(document, ("flights", label, key), 1)
+            most = linked_number(document, ("flights", label, key), 1)
             found += Markup(", up to {} {} {} given up").format(most, unit, name)
     return found
 
@@ -140,7 +131,9 @@ def _truth(index: int, document: Document) -> Answer:
     text = Markup("{}").format(clauses[0])
     for part, name in (("motion", "motion and commands"), ("tracking_errors", "tracking errors")):
         agrees = entry[part]["theil"] <= ACCEPTED
-        coefficient = quote(document, ("point_mass_told_the_truth", index, part, "theil"), 2)
+        coefficient = linked_number(
+            document, ("point_mass_told_the_truth", index, part, "theil"), 2
+        )
         text += Markup("; {} {} (largest U {}, {})").format(
             name, "agree" if agrees else "do not", coefficient, entry[part]["title"].lower()
         )

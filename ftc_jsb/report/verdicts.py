@@ -1,0 +1,34 @@
+"""How a flight ended, in a few words and a time."""
+
+from typing import Any, NamedTuple
+
+from ftc_jsb.analysis.metrics import Metrics, passed
+from ftc_jsb.report.titles import limit_title
+
+
+class Verdict(NamedTuple):
+    """Words, and where in the flight's metrics the time [s] stands that belongs to them."""
+
+    words: str
+    time_at: tuple[str | int, ...] | None  # None: no time belongs to it
+
+
+def verdict(metrics: Metrics) -> Verdict:
+    """How a flight ended: early, inside its limits, or which limit it broke first."""
+    if metrics["status"] != "complete":
+        return Verdict(metrics["status"], ("end_time_s",))
+    if passed(metrics):
+        return Verdict("inside limits", None)
+    name = limit_title(metrics["limits_broken"][0]["name"])
+    return Verdict(f"limit broken: {name}", ("limits_broken", 0, "time"))
+
+
+def verdict_text(metrics: Metrics) -> str:
+    """The verdict with its time to a tenth of a second."""
+    words, time_at = verdict(metrics)
+    if time_at is None:
+        return words
+    time: Any = metrics
+    for key in time_at:
+        time = time[key]
+    return f"{words} at {time:.1f} s"
