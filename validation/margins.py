@@ -9,7 +9,8 @@ from pathlib import Path
 from ftc_jsb.errors import UserError
 from ftc_jsb.margins.condition import level_scenario
 from ftc_jsb.margins.measure import CHANNELS, ChannelMargins, channel_margins
-from ftc_jsb.report.margins_output import bode_figure, margins_table
+from ftc_jsb.report.figures.bode import bode_figure
+from ftc_jsb.report.terminal.margins import margins_table
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_names
 from ftc_jsb.vocabulary.channels import Channel
 

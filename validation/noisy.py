@@ -3,7 +3,7 @@
 import numpy as np
 
 from ftc_jsb.aircraft.point_mass_file import load_point_mass
-from ftc_jsb.analysis.consistency import Consistency, consistency
+from ftc_jsb.analysis.consistency import Case, Consistency, consistency
 from ftc_jsb.resources import aircraft_folder
 
 DT = 0.01  # [s]
@@ -25,7 +25,7 @@ def noisy_flights(
     process = np.concatenate([[1e-4, 1e-8, 1e-8], np.full(channels, 1e-8)])
     initial = np.concatenate([[300.0, 0.0, 0.0], np.ones(channels)])
     spread = np.concatenate([MEASUREMENT, np.full(channels, 1e-2)])
-    return consistency(
-        model, manoeuvre(samples), initial, 3048.0, channels, process, MEASUREMENT, spread, DT,
-        flights, 7, believed,
-    )  # fmt: skip
+    case = Case(
+        model, manoeuvre(samples), initial, 3048.0, DT, process, MEASUREMENT, spread
+    )  # altitude [m]
+    return consistency(case, flights, 7, believed)

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ftc_jsb.analysis.metrics import flight_metrics, judged
+from ftc_jsb.analysis.effectiveness_estimate import judged
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
 

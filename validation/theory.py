@@ -5,8 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ftc_jsb.analysis.along_flight import flight_remainder, flight_stability
-from ftc_jsb.report.consistency_figure import consistency_figure
+from ftc_jsb.analysis.input_remainder import flight_remainder
+from ftc_jsb.analysis.lyapunov_bound import flight_stability
+from ftc_jsb.report.figures.consistency import consistency_figure
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.theory.approximation import estimate_bounds

@@ -6,6 +6,8 @@ import numpy.typing as npt
 from ftc_jsb.disturbance.faults import TIME_TOLERANCE
 from ftc_jsb.scenario.schema import Scenario
 
+SETTLING = 2.0  # [s] after the start and after a fault step, in which no estimate is judged
+
 
 def fault_steps(truth: npt.NDArray[np.float64], scenario: Scenario) -> npt.NDArray[np.int64]:
     """Rows at which an effectiveness jumps: by more than the scenario's steepest ramp would.

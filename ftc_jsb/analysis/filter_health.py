@@ -5,12 +5,17 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ftc_jsb.analysis.finite_statistics import fraction, mean, peak
+from ftc_jsb.vocabulary.channels import TRACKED
+
 Array = npt.NDArray[np.float64]
 
 NIS_BOUND = 7.815  # 95 % of chi-squared with three degrees of freedom lie below
 SIGMAS = 2.0  # 95 % of a normal variable lie within
-MEASURED = ("airspeed", "flight_path_angle", "heading")  # what the NIS is of
-ACCELERATION = "acceleration"  # of the accelerometers, where the filter has them
+INNOVATIONS = (
+    *TRACKED,
+    "acceleration",
+)  # the NIS is of TRACKED; the filter may have no accelerometers
 
 
 def whitened(record: npt.NDArray[Any], name: str) -> Array:
@@ -27,26 +32,15 @@ def estimator_health(record: npt.NDArray[Any]) -> dict[str, float | None]:
     """
     nis = record["innovation_squared"]
     found = {
-        "nis_mean": _mean(nis),
-        "nis_inside_fraction": _part(nis <= NIS_BOUND, nis),
+        "nis_mean": mean(nis),
+        "nis_inside_fraction": fraction(nis <= NIS_BOUND, nis),
     }
-    for name in (*MEASURED, ACCELERATION):
+    for name in INNOVATIONS:
         value = np.abs(whitened(record, name))
-        found[f"innovation_{name}_inside_fraction"] = _part(value <= SIGMAS, value)
-        finite = value[np.isfinite(value)]
-        found[f"innovation_{name}_peak_sigmas"] = float(finite.max()) if finite.size else None
+        found[f"innovation_{name}_inside_fraction"] = fraction(value <= SIGMAS, value)
+        found[f"innovation_{name}_peak_sigmas"] = peak(value)
     error = record["effectiveness_thrust_est"] - record["effectiveness_thrust"]
     band = SIGMAS * record["effectiveness_thrust_std"]
-    inside = _part(np.abs(error) <= band, error)
+    inside = fraction(np.abs(error) <= band, error)
     found["effectiveness_thrust_inside_fraction"] = found["inside_two_sigma_fraction"] = inside
     return found
-
-
-def _part(where: npt.NDArray[np.bool_], known: Array) -> float | None:
-    told = np.isfinite(known)
-    return float(np.mean(where[told])) if told.any() else None
-
-
-def _mean(values: Array) -> float | None:
-    finite = values[np.isfinite(values)]
-    return float(finite.mean()) if finite.size else None

@@ -5,9 +5,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from ftc_jsb.analysis.tracking import tracking_errors
 from ftc_jsb.scenario.limits import Limits
+from ftc_jsb.vocabulary.quantities import QUANTITIES
 
 Array = npt.NDArray[np.float64]
+PLAIN = ("airspeed", "altitude", "load_factor", "mach")  # limited as they are recorded
+ANGLES = ("bank_angle", "flight_path_angle", "alpha", "sideslip")  # limited in degrees
 
 
 class BrokenLimit(NamedTuple):
@@ -21,28 +25,11 @@ class BrokenLimit(NamedTuple):
 
 def limited_variables(record: npt.NDArray[Any]) -> dict[str, Array]:
     """Every variable that can be limited, in the unit of its key in [limits]."""
-    degrees = {
-        "bank_deg": "bank_angle",
-        "flight_path_deg": "flight_path_angle",
-        "alpha_deg": "alpha",
-        "sideslip_deg": "sideslip",
-    }
-    plain = ("airspeed", "altitude", "load_factor", "mach")
+    angles = [QUANTITIES[name] for name in ANGLES]
     return {
-        **{name: record[name] for name in plain},
-        **{key: np.degrees(record[name]) for key, name in degrees.items()},
+        **{name: record[name] for name in PLAIN},
+        **{angle.key: angle.shown(record[angle.name]) for angle in angles},
         **tracking_errors(record),
-    }
-
-
-def tracking_errors(record: npt.NDArray[Any]) -> dict[str, Array]:
-    """True value minus reference: airspeed [m/s], flight path and heading [deg]."""
-    return {
-        "error_airspeed": record["airspeed"] - record["airspeed_ref"],
-        "error_flight_path_deg": np.degrees(
-            record["flight_path_angle"] - record["flight_path_angle_ref"]
-        ),
-        "error_heading_deg": np.degrees(record["heading"] - record["heading_ref"]),
     }
 
 

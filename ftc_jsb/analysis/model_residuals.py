@@ -1,59 +1,67 @@
-"""Residual of the drag and thrust models along a flight: what the loop counts on minus what was flown."""
+"""Residuals of the drag and thrust models: what the outer loop counts on minus what was flown."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.compiled import compiled
-from ftc_jsb.point_mass.drag import measured_drag_coefficient
-from ftc_jsb.point_mass.dynamics import polar_drag
-from ftc_jsb.point_mass.model import at_condition, pressure_area
+from ftc_jsb.analysis.modelled_drag import modelled_drag
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.simulation.assembly import point_mass_of
 
 Array = npt.NDArray[np.float64]
 
 
-def model_residuals(
-    model: npt.NDArray[Any], record: npt.NDArray[Any]
-) -> tuple[Array, Array, Array]:
-    """Drag by the polar of the law, drag by the estimator's measured angles, and thrust: [N].
+class Residuals(NamedTuple):
+    """Model minus flight [N], (rows,) each; nan where the model or the flight has none."""
+
+    drag_of_law: Array
+    drag_of_estimator: Array
+    thrust: Array
+
+
+def flight_residuals(flight: Flight) -> Residuals:
+    """Residuals along a flight.
 
     An error of the drag over the thrust is an error of the estimated effectiveness. The thrust
     residual is expected times true effectiveness minus delivered.
 
-    Args:
-        model: (1,) MODEL.
-        record: (rows,) of the recording.
-
-    Returns:
-        Three arrays (rows,), model minus flight; nan where the model or the flight has none.
+    Raises:
+        AircraftError: the flight's aircraft is not there any more.
     """
-    polar, measured = np.full(record.size, np.nan), np.full(record.size, np.nan)
-    _drag(model, record, polar, measured)
+    model = point_mass_of(flight.scenario).record(flight.scenario.aircraft.fuel_fraction)
+    record = flight.record
+    of_law, of_estimator = modelled_drag(model, record)
+    thrust = _expected_thrust(model, record) - record["thrust"]
+    return Residuals(of_law - record["drag"], of_estimator - record["drag"], thrust)
+
+
+def _expected_thrust(model: npt.NDArray[Any], record: npt.NDArray[Any]) -> Array:
+    """(rows,): thrust [N] that the faulty engine should have delivered."""
+    effectiveness = record["effectiveness_thrust"]
     if model[0]["spool_up"][0] > 0.0:  # what acted until the row
-        effectiveness = np.concatenate(
-            [record["effectiveness_thrust"][:1], record["effectiveness_thrust"][:-1]]
-        )
-        thrust = effectiveness * record["thrust_model"] - record["thrust"]
-    else:  # an engine without a spool answers in the same row
-        thrust = record["effectiveness_thrust"] * record["thrust_cmd"] - record["thrust"]
-    return polar - record["drag"], measured - record["drag"], thrust
+        acted = np.concatenate([effectiveness[:1], effectiveness[:-1]])
+        return np.asarray(acted * record["thrust_model"])
+    # an engine without a spool answers in the same row
+    return np.asarray(effectiveness * record["thrust_cmd"])
 
 
-@compiled
-def _drag(model: Any, record: Any, polar: Any, measured: Any) -> None:
-    m = model[0]
-    for i in range(record.shape[0]):
-        row = record[i]
-        at = at_condition(m, row.airspeed, row.altitude)
-        polar[i] = polar_drag(at, row.airspeed, row.thrust, row.load_factor)[0]
-        if m.measured_mach_count > 0:
-            measured[i] = pressure_area(at, row.airspeed) * measured_drag_coefficient(
-                m,
-                row.airspeed_meas / at.sound_speed,
-                row.alpha_meas,
-                row.sideslip_meas,
-                row.elevator_meas,
-                row.flap_meas,
-                row.pitch_rate_meas / row.airspeed_meas,
-            )
+def residual_metrics(flight: Flight, residuals: Residuals) -> dict[str, Any]:
+    """RMS and peak of each residual in kN, and as an error of the effectiveness (residual / thrust)."""
+    found: dict[str, Any] = {}
+    thrust = np.abs(flight.record["thrust_model"])
+    for name, values in residuals._asdict().items():
+        known = np.isfinite(values)
+        if not known.any():
+            found[f"{name}_kn"] = None
+            continue
+        kilo = values[known] / 1e3  # kN
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = np.abs(values / thrust)
+        share = share[np.isfinite(share)]
+        found[f"{name}_kn"] = {
+            "rms": float(np.sqrt(np.mean(kilo**2))),
+            "peak": float(np.abs(kilo).max()),
+            "as_effectiveness_median": float(np.median(share)) if share.size else None,
+        }
+    return found

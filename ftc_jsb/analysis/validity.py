@@ -6,9 +6,11 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.analysis.limits import tracking_errors
+from ftc_jsb.analysis.tracking import ERROR_NAMES, distance, values_of
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.scenario.schema import Agreement
+from ftc_jsb.vocabulary.channels import TRACKED
+from ftc_jsb.vocabulary.quantities import QUANTITIES, Quantity
 
 Array = npt.NDArray[np.float64]
 Answer = Literal["yes", "in part", "no"]
@@ -17,29 +19,8 @@ IN_PART = 3.0  # times what is agreed: still worth something
 ACCEPTED = 0.3  # Theil's coefficient up to which a model is commonly taken to agree
 
 
-class Variable(NamedTuple):
-    """What is compared, and in which unit."""
-
-    name: str  # in the recording, or of `tracking_errors`
-    key: str  # in metrics.json
-    title: str
-    unit: str
-    factor: float  # from the recording's unit
-
-
-MOTION = (
-    Variable("airspeed", "airspeed_mps", "Airspeed", "m/s", 1.0),
-    Variable("flight_path_angle", "flight_path_deg", "Flight path", "deg", math.degrees(1.0)),
-    Variable("heading", "heading_deg", "Heading", "deg", math.degrees(1.0)),
-    Variable("thrust_cmd", "thrust_command_kn", "Thrust command", "kN", 1e-3),
-    Variable("load_factor", "load_factor", "Load factor", "", 1.0),
-    Variable("bank_angle", "bank_deg", "Bank angle", "deg", math.degrees(1.0)),
-)
-ERRORS = (
-    Variable("error_airspeed", "error_airspeed_mps", "Airspeed error", "m/s", 1.0),
-    Variable("error_flight_path_deg", "error_flight_path_deg", "Path error", "deg", 1.0),
-    Variable("error_heading_deg", "error_heading_deg", "Heading error", "deg", 1.0),
-)
+MOTION = tuple(QUANTITIES[name] for name in (*TRACKED, "thrust_cmd", "load_factor", "bank_angle"))
+ERRORS = tuple(QUANTITIES[name] for name in ERROR_NAMES)
 
 
 class Difference(NamedTuple):
@@ -58,11 +39,11 @@ class Difference(NamedTuple):
     covariance: float
 
 
-def compared(variable: Variable, point_mass: Flight, six_dof: Flight) -> tuple[Array, Array, Array]:
+def compared(variable: Quantity, point_mass: Flight, six_dof: Flight) -> tuple[Array, Array, Array]:
     """Time [s] that both flew, and the variable of both in its unit, where both are known."""
     count = min(point_mass.record.size, six_dof.record.size)
     one, other = (
-        variable.factor * _column(flight.record[:count], variable.name)
+        variable.shown(values_of(flight.record[:count], variable.name))
         for flight in (point_mass, six_dof)
     )
     known = np.isfinite(one) & np.isfinite(other)
@@ -98,9 +79,7 @@ def compare_flights(point_mass: Flight, six_dof: Flight) -> dict[str, Any]:
 def apart(point_mass: Flight, six_dof: Flight) -> Array:
     """Distance [m] between the two aircraft over the time that both flew."""
     count = min(point_mass.record.size, six_dof.record.size)
-    one, other = point_mass.record[:count], six_dof.record[:count]
-    square = sum((one[axis] - other[axis]) ** 2 for axis in ("north", "east", "altitude"))
-    return np.asarray(np.sqrt(square))
+    return distance(point_mass.record[:count], six_dof.record[:count])
 
 
 def judge(pairs: list[dict[str, Any]], agreement: Agreement) -> dict[str, Any]:
@@ -153,7 +132,7 @@ def _farthest(pairs: list[dict[str, Any]], agreement: Agreement) -> dict[str, An
     return max(found, key=lambda entry: float(entry["times_agreed"]))
 
 
-def _worst(pairs: list[dict[str, Any]], group: tuple[Variable, ...]) -> dict[str, Any]:
+def _worst(pairs: list[dict[str, Any]], group: tuple[Quantity, ...]) -> dict[str, Any]:
     """The largest coefficient of a group of variables, and which variable has it."""
     told = [
         (pair["variables"][variable.key]["theil"], variable)
@@ -163,10 +142,6 @@ def _worst(pairs: list[dict[str, Any]], group: tuple[Variable, ...]) -> dict[str
     ]
     theil, variable = max(told, key=lambda entry: entry[0])
     return {"theil": theil, "variable": variable.key, "title": variable.title}
-
-
-def _column(record: npt.NDArray[Any], name: str) -> Array:
-    return tracking_errors(record)[name] if name.startswith("error_") else record[name]
 
 
 def _rms(values: Array) -> float:

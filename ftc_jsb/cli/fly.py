@@ -70,8 +70,8 @@ def fly(
     if as_json:
         click.echo(json.dumps(result.document, indent=2))
     else:
-        from ftc_jsb.report.terminal_table import print_table
+        from ftc_jsb.report.terminal.flights import print_flights
 
-        print_table({result.label: result.metrics})
+        print_flights({result.label: result.metrics})
         click.echo(f"Recording: {folder / 'flight.nc'}")
     exit_by(result.metrics)

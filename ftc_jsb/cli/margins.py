@@ -60,7 +60,8 @@ def margins(
         for channel in CHANNELS:  # written as it goes: an interruption loses nothing finished
             found.append(channel_margins(flown, channel, tell, amplitude))
             write_metrics(folder / "margins.json", document(flown, found))
-        from ftc_jsb.report.margins_output import bode_figure, print_margins
+        from ftc_jsb.report.figures.bode import bode_figure
+        from ftc_jsb.report.terminal.margins import print_margins
 
         what = flown.aircraft.name if model != "paper" else "paper"
         at = f"{flown.initial.airspeed:g} m/s, {flown.initial.altitude:g} m"

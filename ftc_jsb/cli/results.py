@@ -12,7 +12,7 @@ import click
 
 def margins_of(files: Sequence[Path]) -> list[Any]:
     """Margins that `ftc-jsb margins` wrote."""
-    from ftc_jsb.report.margins_files import read_margins
+    from ftc_jsb.report.measured_margins import read_margins
 
     return [read_margins(path) for path in files]
 
@@ -25,14 +25,14 @@ def write_results(
     margins: Sequence[Any] = (),
 ) -> None:
     """Write the report of flights; print its table, or its numbers as JSON."""
-    from ftc_jsb.report.page import write_report
-    from ftc_jsb.report.terminal_table import print_effects, print_table
+    from ftc_jsb.report.page.write import write_report
+    from ftc_jsb.report.terminal.flights import print_effects, print_flights
 
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
     document = write_report(flights, folder, command, unread, margins)
     if as_json:
         click.echo(json.dumps(document, indent=2))
     else:
-        print_table(document["flights"])
+        print_flights(document["flights"])
         print_effects(document["ftc_helped"])
         click.echo(f"Report: {folder / 'report.html'}")

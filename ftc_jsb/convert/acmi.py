@@ -13,16 +13,17 @@ import numpy as np
 
 from ftc_jsb.analysis.fault_steps import fault_steps
 from ftc_jsb.recording.flight import Flight
+from ftc_jsb.vocabulary.quantities import DEGREES
 
 RATE = 25.0  # Hz at most; TacView interpolates
 AIRCRAFT = "101"  # identity of the object, hexadecimal
 EARTH_RADIUS = 6_371_000.0  # m, mean; of the drop of the ground below the tangent plane
 REFERENCE_TIME = "1970-01-01T12:00:00Z"
-NUMBERS = (  # property, variable of the recording, factor
+PROPERTIES = (  # property, variable of the recording, factor to the unit that the format fixes
     ("TAS", "airspeed", 1.0),  # m/s
     ("Mach", "mach", 1.0),
-    ("AOA", "alpha", math.degrees(1.0)),  # deg
-    ("AOS", "sideslip", math.degrees(1.0)),  # deg
+    ("AOA", "alpha", DEGREES),  # deg
+    ("AOS", "sideslip", DEGREES),  # deg
 )
 
 
@@ -55,7 +56,7 @@ def _lines(flight: Flight) -> Iterator[str]:
         yield f"#{row['time']:.4g}" if row["time"] < 1.0 else f"#{row['time']:.3f}"
         attitude = "|".join(_degrees(row[axis]) for axis in ("roll", "pitch", "yaw"))
         place = f"{longitude[i]:.8f}|{latitude[i]:.8f}|{row['altitude']:.3f}"
-        yield f"{AIRCRAFT},T={place}|{attitude}{_numbers(row)}"
+        yield f"{AIRCRAFT},T={place}|{attitude}{_properties(row)}"
         if i in faults:
             effectiveness = row["effectiveness_thrust"]
             yield f"0,Event=Bookmark|{AIRCRAFT}|Thrust effectiveness {effectiveness:.3g}"
@@ -74,9 +75,9 @@ def _places(flight: Flight) -> tuple[Any, Any]:
     return np.asarray(longitude), np.asarray(latitude)
 
 
-def _numbers(row: Any) -> str:
+def _properties(row: Any) -> str:
     """What else the recording knows of this row; throttle beyond military is afterburner."""
-    known = [(name, factor * row[variable]) for name, variable, factor in NUMBERS]
+    known = [(name, factor * row[variable]) for name, variable, factor in PROPERTIES]
     known += [
         ("Throttle", min(row["throttle"], 1.0)),
         ("Afterburner", max(row["throttle"] - 1.0, 0.0)),

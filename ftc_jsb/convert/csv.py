@@ -7,7 +7,7 @@ from ftc_jsb.recording.flight import Flight
 
 def write(flight: Flight, path: Path) -> None:
     """Write every variable, with digits enough to read the same numbers back."""
-    from ftc_jsb.recording.netcdf import to_dataset
+    from ftc_jsb.recording.dataset import to_dataset
 
     dataset = to_dataset(flight)
     table = dataset.to_dataframe().reset_index()

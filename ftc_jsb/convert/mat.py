@@ -9,7 +9,7 @@ def write(flight: Flight, path: Path) -> None:
     """Write `flight.airspeed`, `units.airspeed`, `meanings.airspeed`, …, and `attributes.scenario`."""
     from scipy.io import savemat
 
-    from ftc_jsb.recording.netcdf import to_dataset
+    from ftc_jsb.recording.dataset import to_dataset
 
     dataset = to_dataset(flight)
     names = [str(name) for name in dataset.variables]

@@ -10,7 +10,7 @@ def write(flight: Flight, path: Path) -> None:
     import pyarrow
     from pyarrow import parquet
 
-    from ftc_jsb.recording.netcdf import to_dataset
+    from ftc_jsb.recording.dataset import to_dataset
 
     dataset = to_dataset(flight)
     names = ["time", *(str(name) for name in dataset.data_vars)]

@@ -1,11 +1,11 @@
-"""The recording: every variable of a flight, its unit and its meaning, as one structured row."""
+"""The columns of a recording: name, unit and meaning of every variable, defined once, and its row."""
 
 from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.vocabulary.channels import ENGINES, SURFACES
+from ftc_jsb.vocabulary.channels import CHANNELS, ENGINES, SURFACES, TRACKED
 from ftc_jsb.vocabulary.signals import SIGNALS
 
 
@@ -17,15 +17,16 @@ class Variable(NamedTuple):
     meaning: str
 
 
-_STATE = (
-    ("airspeed", "m/s", "true airspeed"),
-    ("flight_path_angle", "rad", "flight path angle"),
-    ("heading", "rad", "heading"),
+_STATE: tuple[tuple[str, str, str], ...] = tuple(  # name, unit, meaning
+    zip(
+        TRACKED,
+        ("m/s", "rad", "rad"),
+        ("true airspeed", "flight path angle", "heading"),
+        strict=True,
+    )
 )
-_CHANNEL = (
-    ("thrust", "N", "thrust"),
-    ("load_factor", "1", "load factor"),
-    ("bank_angle", "rad", "bank angle"),
+_CHANNEL: tuple[tuple[str, str, str], ...] = tuple(
+    zip(CHANNELS, ("N", "1", "rad"), ("thrust", "load factor", "bank angle"), strict=True)
 )
 
 

@@ -5,6 +5,7 @@ from typing import Any, Literal, NamedTuple
 import numpy.typing as npt
 
 from ftc_jsb.recording.commands import Applied
+from ftc_jsb.recording.provenance import Provenance
 from ftc_jsb.scenario.schema import Scenario
 
 
@@ -16,18 +17,11 @@ class Outcome(NamedTuple):
     reason: str
 
 
-class Provenance(NamedTuple):
-    """With what and where a flight was flown."""
-
-    versions: dict[str, str]  # by package
-    machine: str
-
-
 class Flight(NamedTuple):
     """A flown scenario."""
 
     scenario: Scenario
-    record: npt.NDArray[Any]  # (rows,) of `variables.ROW`
+    record: npt.NDArray[Any]  # (rows,) of `columns.ROW`
     outcome: Outcome
     real_time_factor: float | None  # None for a recording that was read back
     commands: tuple[Applied, ...] = ()  # given in flight

@@ -1,4 +1,4 @@
-"""A flight as a NetCDF file, and as an xarray dataset, that holds all it takes to fly it again."""
+"""A flight as a NetCDF file that holds all it takes to fly it again."""
 
 import json
 import signal
@@ -6,61 +6,21 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
 from pydantic import ValidationError
 
-import ftc_jsb
 from ftc_jsb.errors import RecordingError, ScenarioError
 from ftc_jsb.recording.columns import ROW, VARIABLES
-from ftc_jsb.recording.commands import commands_json, parse_commands
-from ftc_jsb.recording.flight import Flight, Outcome, Provenance
-from ftc_jsb.recording.provenance import aircraft_digest, machine, versions
-from ftc_jsb.scenario.load import parse_scenario, scenario_toml
+from ftc_jsb.recording.commands import parse_commands
+from ftc_jsb.recording.description import attributes
+from ftc_jsb.recording.flight import Flight, Outcome
+from ftc_jsb.recording.provenance import Provenance
+from ftc_jsb.scenario.load import parse_scenario
 from ftc_jsb.typed_file import Section, first_problem
 
-if TYPE_CHECKING:
-    import xarray
-
 COMPRESSION: dict[str, Any] = {"zlib": True, "complevel": 1}
-
-
-def to_dataset(flight: Flight) -> "xarray.Dataset":
-    """Every variable along `time`, with `units` and `long_name`; the scenario in the attributes."""
-    import xarray
-
-    variables: dict[str, Any] = {}
-    for variable in VARIABLES:
-        described = {"units": variable.unit, "long_name": variable.meaning}
-        variables[variable.name] = ("time", flight.record[variable.name].copy(), described)
-    return xarray.Dataset(
-        {name: content for name, content in variables.items() if name != "time"},
-        coords={"time": variables["time"]},
-        attrs=attributes(flight),
-    )
-
-
-def attributes(flight: Flight) -> dict[str, Any]:
-    """What a recording says of itself."""
-    scenario = flight.scenario
-    return {
-        "title": scenario.title or scenario.name,
-        "source": f"ftc-jsb {ftc_jsb.__version__}",
-        "model": scenario.model,
-        "loop": scenario.loop.name,
-        "seed": scenario.seed,
-        "outer_loop_rate_hz": scenario.loop.rate,
-        "jsbsim_rate_hz": scenario.loop.rate * scenario.simulation.jsbsim_steps,
-        "scenario": scenario_toml(scenario),
-        "versions": json.dumps(versions()),
-        "machine": machine(),
-        "aircraft_digest": aircraft_digest(scenario),
-        "status": flight.outcome.status,
-        "end_time_s": flight.outcome.time,
-        "reason": flight.outcome.reason,
-        "commands": commands_json(flight.commands),
-    }
 
 
 def save(flight: Flight, path: Path) -> None:

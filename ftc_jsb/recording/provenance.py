@@ -5,12 +5,20 @@ import os
 import platform
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from typing import NamedTuple
 
 import ftc_jsb
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.schema import Scenario
 
 PACKAGES = ("numpy", "scipy", "numba", "jsbsim")  # whose versions may change a flight
+
+
+class Provenance(NamedTuple):
+    """With what and where a flight was flown."""
+
+    versions: dict[str, str]  # by package
+    machine: str
 
 
 def aircraft_digest(scenario: Scenario) -> str:

@@ -1,25 +1,22 @@
 """Every number that a report shows, as `metrics.json` holds it; and the series behind its charts."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ftc_jsb.analysis.command_following import response_metrics
+from ftc_jsb.analysis.command_following import command_following_metrics
 from ftc_jsb.analysis.ftc_effect import effects
+from ftc_jsb.analysis.lyapunov_bound import proof_along, stability_metrics
 from ftc_jsb.analysis.metrics import Metrics, flight_metrics
-from ftc_jsb.analysis.residuals import Residuals, flight_residuals, residual_metrics
-from ftc_jsb.analysis.stability import flight_theory, stability_metrics
+from ftc_jsb.analysis.model_residuals import Residuals, flight_residuals, residual_metrics
 from ftc_jsb.analysis.validity import compare_flights, judge
 from ftc_jsb.errors import UserError
-from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.display_names import model_title
-from ftc_jsb.report.flight_groups import by_scenario, loop_pairs, model_pairs
-from ftc_jsb.report.margins_files import KnownMargins, margins_of
-from ftc_jsb.report.metric_formats import NUMBERS
+from ftc_jsb.report.flight_groups import Flights, by_scenario, loop_pairs, model_pairs
+from ftc_jsb.report.measured_margins import MeasuredMargins, margins_of
+from ftc_jsb.report.shown_metrics import SHOWN_METRICS
+from ftc_jsb.report.titles import model_title
 from ftc_jsb.theory.lyapunov import LyapunovBound
-
-Flights = Mapping[str, Flight]
 
 
 class Findings(NamedTuple):
@@ -27,11 +24,11 @@ class Findings(NamedTuple):
 
     document: dict[str, Any]  # the contents of metrics.json
     residuals: dict[str, Residuals]  # by label; left out where they cannot be had
-    theory: dict[str, LyapunovBound]  # likewise
+    proofs: dict[str, LyapunovBound]  # likewise
     problems: list[str]  # what could not be found, and why
 
 
-def find(flights: Flights, margins: Sequence[KnownMargins] = ()) -> Findings:
+def analyse(flights: Flights, margins: Sequence[MeasuredMargins] = ()) -> Findings:
     """Analyse flights one by one and against each other; what fails is said and stops nothing else.
 
     Args:
@@ -40,21 +37,21 @@ def find(flights: Flights, margins: Sequence[KnownMargins] = ()) -> Findings:
     """
     problems: list[str] = []
     residuals: dict[str, Residuals] = {}
-    theory: dict[str, LyapunovBound] = {}
+    proofs: dict[str, LyapunovBound] = {}
     metrics: dict[str, Metrics] = {}
     for label, flight in flights.items():
         entry = {**flight_metrics(flight), **margins_of(flight, margins)}
-        entry["response"] = response_metrics(flight)
+        entry["response"] = command_following_metrics(flight)
         try:
             residuals[label] = flight_residuals(flight)
             entry["model_residuals"] = residual_metrics(flight, residuals[label])
         except UserError as error:
             entry["model_residuals"] = None
             problems.append(f"{label}: no residuals of its models: {error}")
-        proof = flight_theory(flight)
+        proof = proof_along(flight)
         if proof is not None and np.isfinite(proof.value).all():
-            theory[label] = proof
-        entry["stability"] = stability_metrics(theory.get(label))
+            proofs[label] = proof
+        entry["stability"] = stability_metrics(proofs.get(label))
         metrics[label] = entry
     validity = _validity(flights, metrics)
     document = {
@@ -64,17 +61,17 @@ def find(flights: Flights, margins: Sequence[KnownMargins] = ()) -> Findings:
         "validity": validity,
         "point_mass_told_the_truth": _truth(flights, validity),
     }
-    return Findings(document, residuals, theory, problems)
+    return Findings(document, residuals, proofs, problems)
 
 
 def _ratio(tolerant: str, plain: str, metrics: dict[str, Metrics]) -> dict[str, Any]:
     """Every judged number without FTC over that with it; None where there is none or a zero."""
     ratios = {}
-    for number in NUMBERS:
-        if not number.judged:
+    for metric in SHOWN_METRICS:
+        if not metric.judged:
             continue
-        above, below = metrics[plain].get(number.key), metrics[tolerant].get(number.key)
-        ratios[number.key] = None if above is None or not below else above / below
+        above, below = metrics[plain].get(metric.key), metrics[tolerant].get(metric.key)
+        ratios[metric.key] = None if above is None or not below else above / below
     return {"with_ftc": tolerant, "without_ftc": plain, "ratio": ratios}
 
 

@@ -10,7 +10,7 @@ from ftc_jsb.aircraft.description import Aircraft, load_aircraft
 from ftc_jsb.inner_loop_design.design import design, write_design
 from ftc_jsb.inner_loop_design.published_steps import fly_steps
 from ftc_jsb.inner_loop_design.steps_table import COLUMNS, table_row
-from ftc_jsb.report.step_figure import steps_figure
+from ftc_jsb.report.figures.steps import steps_figure
 
 DPI = 110
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from ftc_jsb.analysis.command_following import response_metrics
-from ftc_jsb.analysis.residuals import flight_residuals, residual_metrics
+from ftc_jsb.analysis.command_following import command_following_metrics
+from ftc_jsb.analysis.model_residuals import flight_residuals, residual_metrics
 
 
 def test_delay_is_the_shift_of_the_command(flown):
@@ -13,18 +13,18 @@ def test_delay_is_the_shift_of_the_command(flown):
     record = flight.record.copy()
     shift = 25  # samples of 0.01 s
     record["bank_angle"][shift:] = record["bank_angle_cmd"][:-shift]
-    found = response_metrics(flight._replace(record=record))
+    found = command_following_metrics(flight._replace(record=record))
     assert found["bank_deg"]["delay_s"] == pytest.approx(0.24)
 
 
 def test_papers_aircraft_answers_at_once(flown):
-    for axis in response_metrics(flown("paper")).values():
+    for axis in command_following_metrics(flown("paper")).values():
         assert axis["rms"] == 0.0
 
 
 def test_identified_lag_is_found_on_jsbsim(flown):
     """Load factor about 0.2 s late, bank about 0.4 s, as the identified second-order lags say."""
-    found = response_metrics(flown("paper", "model=jsbsim"))
+    found = command_following_metrics(flown("paper", "model=jsbsim"))
     assert found["load_factor"]["delay_s"] == pytest.approx(0.2, abs=0.05)
     assert found["bank_deg"]["delay_s"] == pytest.approx(0.4, abs=0.1)
 

@@ -5,7 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from ftc_jsb.analysis.metrics import flight_metrics, judged, unobservable
+from ftc_jsb.analysis.effectiveness_estimate import judged, unobservable
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.recording.flight import Flight, Outcome
 from ftc_jsb.scenario.load import load_scenario

@@ -8,7 +8,8 @@ import xarray
 
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.recording.columns import ROW, VARIABLES
-from ftc_jsb.recording.netcdf import load, save, to_dataset
+from ftc_jsb.recording.dataset import to_dataset
+from ftc_jsb.recording.netcdf import load, save
 from ftc_jsb.recording.provenance import machine, versions
 from ftc_jsb.simulation.fly import fly
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.page import write_report
+from ftc_jsb.report.page.write import write_report
 
 MODELS = ("paper", "identified", "jsbsim")
 LOOPS = ("ftc", "no-ftc")
@@ -27,7 +27,7 @@ def _draw_nothing(flights, folder) -> list[str]:
 @pytest.fixture
 def undrawn(monkeypatch) -> None:
     """Figures for print take seconds; tests of the page do without them."""
-    monkeypatch.setattr("ftc_jsb.report.page.draw_all", _draw_nothing)
+    monkeypatch.setattr("ftc_jsb.report.page.write.draw_all", _draw_nothing)
 
 
 @pytest.fixture(scope="session")
@@ -39,7 +39,7 @@ def written(flown, tmp_path_factory) -> Written:
         for loop in LOOPS
     }
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("ftc_jsb.report.page.draw_all", _draw_nothing)
+        patch.setattr("ftc_jsb.report.page.write.draw_all", _draw_nothing)
         write_report(flights, folder, "ftc-jsb compare paper")
     document = json.loads((folder / "metrics.json").read_text())
     return Written(flights, folder, document, (folder / "report.html").read_text())

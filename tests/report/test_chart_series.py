@@ -4,8 +4,8 @@ import base64
 
 import numpy as np
 
-from ftc_jsb.report.chart_series import ALL_POINTS, flight_series
-from ftc_jsb.report.findings import find
+from ftc_jsb.report.findings import analyse
+from ftc_jsb.report.page.chart_series import ALL_POINTS, flight_series
 
 
 def unpacked(text: str) -> np.ndarray:
@@ -16,7 +16,7 @@ def test_extremes_and_faults_survive_thinning(flown):
     """Ten times the same flight: one sample in four, but every one near 20 s and every peak."""
     flight = flown("paper", "model=jsbsim")
     flights = {f"flight {number}": flight for number in range(10)}
-    series = flight_series(flights, find(flights))["flight 3"]
+    series = flight_series(flights, analyse(flights))["flight 3"]
     time = unpacked(series.columns["time"])
     assert series.every == np.ceil(flight.record.size / (ALL_POINTS / 10))
     near = (time > 19.2) & (time < 20.8)
@@ -30,7 +30,7 @@ def test_extremes_and_faults_survive_thinning(flown):
 def test_series_are_the_recording(flown):
     """Every shown sample is the recorded one, in the unit of the chart."""
     flight = flown("paper")
-    series = flight_series({"f": flight}, find({"f": flight}))["f"]
+    series = flight_series({"f": flight}, analyse({"f": flight}))["f"]
     rows = np.searchsorted(flight.record["time"], unpacked(series.columns["time"]) - 1e-4)
     for name, values in (
         ("bank_angle_flown", np.degrees(flight.record["bank_angle"])),
@@ -43,7 +43,7 @@ def test_series_are_the_recording(flown):
 
 def test_column_that_a_flight_has_not_is_left_out(flown):
     flight = flown("paper", "loop.name=integral", "duration=5")
-    columns = flight_series({"f": flight}, find({"f": flight}))["f"].columns
+    columns = flight_series({"f": flight}, analyse({"f": flight}))["f"].columns
     assert "airspeed" in columns
     assert "effectiveness_thrust_estimate" not in columns
     assert "lyapunov" not in columns

@@ -13,11 +13,11 @@ from ftc_jsb.errors import RecordingError
 from ftc_jsb.margins.condition import level_scenario
 from ftc_jsb.margins.document import document
 from ftc_jsb.margins.measure import CHANNELS, channel_margins
-from ftc_jsb.report.chart_series import flight_series
-from ftc_jsb.report.charts import charts
-from ftc_jsb.report.findings import find
-from ftc_jsb.report.margins_files import read_margins
-from ftc_jsb.report.page import write_report
+from ftc_jsb.report.findings import analyse
+from ftc_jsb.report.measured_margins import read_margins
+from ftc_jsb.report.page.chart_series import flight_series
+from ftc_jsb.report.page.charts import charts
+from ftc_jsb.report.page.write import write_report
 
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 APART = ("script", "style", "pre", "code", "nav")  # not words on the page
@@ -82,8 +82,8 @@ def unquoted(page: str, allowed: str) -> list[str]:
 
 def fixed_words(written) -> str:
     """Text that no flight computes: the template's, the charts', the scenario's own, names and versions."""
-    template = (resources.files("ftc_jsb.report") / "templates" / "report.html").read_text()
-    drawn = charts(flight_series(written.flights, find(written.flights)))
+    template = (resources.files("ftc_jsb.report.page") / "templates" / "report.html").read_text()
+    drawn = charts(flight_series(written.flights, analyse(written.flights)))
     return " ".join(
         [
             re.sub(r"{[{%].*?[%}]}", " ", template, flags=re.S),

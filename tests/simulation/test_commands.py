@@ -11,7 +11,8 @@ from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.errors import RecordingError, ScenarioError
 from ftc_jsb.recording import commands as c
 from ftc_jsb.recording.columns import ROW
-from ftc_jsb.recording.netcdf import load, save, to_dataset
+from ftc_jsb.recording.dataset import to_dataset
+from ftc_jsb.recording.netcdf import load, save
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.loop import Loop

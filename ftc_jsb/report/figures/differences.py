@@ -6,10 +6,10 @@ from matplotlib.figure import Figure
 
 from ftc_jsb.analysis.validity import MOTION, compared
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.display_names import loop_title, model_title
-from ftc_jsb.report.figures.panels import Flights, legend, loop_styles, mark_faults
+from ftc_jsb.report.figures.panels import legend, loop_styles, mark_faults
 from ftc_jsb.report.figures.style import POINTS, RC, width
-from ftc_jsb.report.flight_groups import model_pairs
+from ftc_jsb.report.flight_groups import Flights, model_pairs
+from ftc_jsb.report.titles import loop_title, model_title
 
 
 def differences(flights: Flights) -> Figure | None:

@@ -7,11 +7,10 @@ from matplotlib.figure import Figure
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.report.figures.differences import differences
 from ftc_jsb.report.figures.estimates import estimates
-from ftc_jsb.report.figures.panels import Flights
 from ftc_jsb.report.figures.states import controls, states, tracking
 from ftc_jsb.report.figures.style import save
 from ftc_jsb.report.figures.trajectories import trajectories
-from ftc_jsb.report.flight_groups import by_scenario
+from ftc_jsb.report.flight_groups import Flights, by_scenario
 from ftc_jsb.vocabulary.channels import CHANNELS
 
 

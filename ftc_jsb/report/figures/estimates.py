@@ -6,11 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ftc_jsb.analysis.metrics import unobservable
+from ftc_jsb.analysis.effectiveness_estimate import unobservable
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.display_names import CHANNEL_TITLES, loop_title
 from ftc_jsb.report.figures.panels import (
-    Flights,
     by_model,
     head_column,
     legend,
@@ -19,7 +17,10 @@ from ftc_jsb.report.figures.panels import (
     thinned,
 )
 from ftc_jsb.report.figures.style import RC, REFERENCE, UNOBSERVABLE, width
+from ftc_jsb.report.flight_groups import Flights
+from ftc_jsb.report.titles import loop_title
 from ftc_jsb.vocabulary.channels import Channel
+from ftc_jsb.vocabulary.quantities import QUANTITIES
 
 ERRORS = 0.05  # the error's axis ends here; what goes beyond is the transient at the fault
 
@@ -54,7 +55,7 @@ def estimates(flights: Flights, channel: Channel = "thrust") -> Figure:
                 mark_faults(axes, members[0])
                 lost = _mark_unobservable(axes, members[0], channel) or lost
             lower.set_xlabel("Time [s]")
-        grid[0, 0].set_ylabel(f"{CHANNEL_TITLES[channel]} effectiveness [-]")
+        grid[0, 0].set_ylabel(f"{QUANTITIES[channel].title} effectiveness [-]")
         grid[1, 0].set_ylabel("Error [-]")
         for axes in grid[1]:
             axes.set_ylim(-ERRORS, ERRORS)

@@ -1,35 +1,30 @@
 """Panels of a figure: a column for each model, a row for each variable, a line for each loop."""
 
-from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
-import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ftc_jsb.analysis.limits import tracking_errors
+from ftc_jsb.analysis.tracking import values_of
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.display_names import loop_title, model_title
-from ftc_jsb.report.fault_marks import fault_times
+from ftc_jsb.report.fault_times import fault_times
 from ftc_jsb.report.figures.style import FAULT, POINTS, RC, REFERENCE, STYLES, UNOBSERVABLE, width
-
-Flights = Mapping[str, Flight]
-Array = npt.NDArray[np.float64]
-
-
-class Row(NamedTuple):
-    """A variable: its name in the recording, its label, and its value in the label's unit."""
-
-    name: str
-    label: str
-    convert: Callable[[Array], Array]
+from ftc_jsb.report.flight_groups import Flights
+from ftc_jsb.report.titles import loop_title, model_title
+from ftc_jsb.vocabulary.quantities import Quantity
 
 
-def panels(flights: Flights, rows: tuple[Row, ...], reference: bool) -> Figure:
-    """A figure of variables over time, of flights of one scenario."""
+def panels(flights: Flights, rows: dict[str, Quantity], reference: bool) -> Figure:
+    """A figure of variables over time, of flights of one scenario.
+
+    Args:
+        flights: by label.
+        rows: by the label of their axis.
+        reference: whether each variable has one, which is drawn once a model.
+    """
     columns, styles = by_model(flights), loop_styles(flights)
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(
@@ -38,18 +33,20 @@ def panels(flights: Flights, rows: tuple[Row, ...], reference: bool) -> Figure:
         )  # fmt: skip
         for column, (title, members) in enumerate(columns.items()):
             head_column(grid[0, column], title, len(columns))
-            for number, row in enumerate(rows):
+            for number, (label, quantity) in enumerate(rows.items()):
                 axes = grid[number, column]
                 for flight in members:
                     style = styles[loop_title(flight.scenario)]
                     record = thinned(flight.record)
-                    axes.plot(record["time"], row.convert(_values(record, row.name)), **style)
+                    values = quantity.shown(values_of(record, quantity.name))
+                    axes.plot(record["time"], values, **style)
                 if reference:
                     record = thinned(members[0].record)
-                    axes.plot(record["time"], row.convert(record[f"{row.name}_ref"]), **REFERENCE)
+                    values = quantity.shown(record[f"{quantity.name}_ref"])
+                    axes.plot(record["time"], values, **REFERENCE)
                 mark_faults(axes, members[0])
                 if column == 0:
-                    axes.set_ylabel(row.label)
+                    axes.set_ylabel(label)
             grid[-1, column].set_xlabel("Time [s]")
         figure.align_ylabels()
         legend(figure, flights, reference="reference" if reference else None)
@@ -110,17 +107,3 @@ def legend(
 def thinned(record: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """As many rows as a line needs."""
     return record[:: max(record.size // POINTS, 1)]
-
-
-def _values(record: npt.NDArray[Any], name: str) -> Array:
-    return tracking_errors(record)[name] if name.startswith("error_") else record[name]
-
-
-def same(values: Array) -> Array:
-    """As recorded."""
-    return values
-
-
-def kilo(values: Array) -> Array:
-    """N as kN, m as km."""
-    return values / 1e3

@@ -1,36 +1,30 @@
 """The paper's Figures 1 and 2, and the tracking errors: variables over time."""
 
-import numpy as np
 from matplotlib.figure import Figure
 
-from ftc_jsb.report.figures.panels import Flights, Row, kilo, panels, same
+from ftc_jsb.analysis.tracking import ERROR_NAMES
+from ftc_jsb.report.figures.panels import panels
+from ftc_jsb.report.flight_groups import Flights
+from ftc_jsb.vocabulary.channels import TRACKED
+from ftc_jsb.vocabulary.quantities import QUANTITIES, Quantity
 
 
 def states(flights: Flights) -> Figure:
     """Figure 1: airspeed, flight path angle and heading with their references."""
-    rows = (
-        Row("airspeed", "Airspeed [m/s]", same),
-        Row("flight_path_angle", "Flight path [deg]", np.degrees),
-        Row("heading", "Heading [deg]", np.degrees),
-    )
-    return panels(flights, rows, reference=True)
+    return panels(flights, _labelled(TRACKED), reference=True)
 
 
 def tracking(flights: Flights) -> Figure:
     """Tracking errors: airspeed, flight path angle and heading minus their references."""
-    rows = (
-        Row("error_airspeed", "Airspeed error [m/s]", same),
-        Row("error_flight_path_deg", "Path error [deg]", same),
-        Row("error_heading_deg", "Heading error [deg]", same),
-    )
-    return panels(flights, rows, reference=False)
+    return panels(flights, _labelled(ERROR_NAMES), reference=False)
 
 
 def controls(flights: Flights) -> Figure:
     """Figure 2: commanded thrust, and load factor and bank angle as flown."""
-    rows = (
-        Row("thrust_cmd", "Thrust cmd. [kN]", kilo),
-        Row("load_factor", "Load factor [-]", same),
-        Row("bank_angle", "Bank angle [deg]", np.degrees),
-    )
+    thrust = QUANTITIES["thrust_cmd"]
+    rows = {thrust.short_axis_label: thrust, **_labelled(("load_factor", "bank_angle"))}
     return panels(flights, rows, reference=False)
+
+
+def _labelled(names: tuple[str, ...]) -> dict[str, Quantity]:
+    return {QUANTITIES[name].axis_label: QUANTITIES[name] for name in names}

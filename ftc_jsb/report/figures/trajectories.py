@@ -8,10 +8,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.display_names import loop_title
-from ftc_jsb.report.fault_marks import onset
+from ftc_jsb.report.fault_times import onset
 from ftc_jsb.report.figures.panels import (
-    Flights,
     by_model,
     head_column,
     legend,
@@ -19,6 +17,11 @@ from ftc_jsb.report.figures.panels import (
     thinned,
 )
 from ftc_jsb.report.figures.style import RC, width
+from ftc_jsb.report.flight_groups import Flights
+from ftc_jsb.report.titles import loop_title
+from ftc_jsb.vocabulary.quantities import QUANTITIES
+
+AXES = ("east", "north", "altitude")
 
 
 def trajectories(flights: Flights) -> Figure:
@@ -31,9 +34,9 @@ def trajectories(flights: Flights) -> Figure:
             for flight in members:
                 _draw(axes, flight, styles[loop_title(flight.scenario)])
             head_column(axes, title, len(columns))
-            axes.set_xlabel("East [km]", labelpad=-6)
-            axes.set_ylabel("North [km]", labelpad=-4)
-            axes.set_zlabel("Altitude [km]", labelpad=-3)
+            axes.set_xlabel(QUANTITIES["east"].axis_label, labelpad=-6)
+            axes.set_ylabel(QUANTITIES["north"].axis_label, labelpad=-4)
+            axes.set_zlabel(QUANTITIES["altitude"].axis_label, labelpad=-3)
             axes.tick_params(pad=-3, labelsize=6.5)
             axes.tick_params(axis="z", pad=0)
             axes.set_box_aspect((1.0, 1.6, 0.8), zoom=1.05 if len(columns) == 1 else 0.85)
@@ -47,11 +50,11 @@ def trajectories(flights: Flights) -> Figure:
 
 def _draw(axes: Any, flight: Flight, style: dict[str, Any]) -> None:
     record = thinned(flight.record)
-    axes.plot(record["east"] / 1e3, record["north"] / 1e3, record["altitude"] / 1e3, **style)
+    axes.plot(*(QUANTITIES[name].shown(record[name]) for name in AXES), **style)
     fault = onset(flight)
     if fault is not None:
         row = flight.record[np.searchsorted(flight.record["time"], fault)]
         axes.plot(
-            [row["east"] / 1e3], [row["north"] / 1e3], [row["altitude"] / 1e3],
+            *([QUANTITIES[name].shown(row[name])] for name in AXES),
             marker="o", markersize=3.5, color=style["color"],
         )  # fmt: skip

@@ -1,16 +1,16 @@
-"""Numbers on the page, each quoted from `metrics.json` by its place there."""
+"""Numbers on the page, each linked to its place in `metrics.json`."""
 
 import json
 from typing import Any, NamedTuple
 
 import markupsafe
 
-from ftc_jsb.report.metric_formats import written
+from ftc_jsb.report.shown_metrics import number_text
 
 Path = tuple[str | int, ...]
 
 
-class Quote(NamedTuple):
+class LinkedNumber(NamedTuple):
     """A number as it is shown, and where it comes from."""
 
     text: str
@@ -27,14 +27,14 @@ class Quote(NamedTuple):
         )
 
 
-def quote(
+def linked_number(
     document: dict[str, Any], path: Path, digits: int, scale: float = 1.0, rounded: bool = False
-) -> Quote:
+) -> LinkedNumber:
     """A number of the document; a dash where it is null or there is none."""
     value: Any = document
     for key in path:
         if value is not None:
             value = value[key] if isinstance(key, int) else value.get(key)
     at = "".join(f"/{str(key).replace('~', '~0').replace('/', '~1')}" for key in path)
-    text = written(None if value is None else scale * value, digits, rounded)
-    return Quote(text, value, at, scale)
+    text = number_text(None if value is None else scale * value, digits, rounded)
+    return LinkedNumber(text, value, at, scale)

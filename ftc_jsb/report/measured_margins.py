@@ -10,14 +10,14 @@ from ftc_jsb.errors import RecordingError
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.resources import PAPER_AIRCRAFT
 
-MEASURED = {  # in a report: in margins.json
+KEYS = {  # in a report: in margins.json
     "gain_margin_db": "gain_margin_inserted_db",
     "phase_margin_deg": "phase_margin_deg",
     "delay_margin_s": "delay_margin_inserted_s",
 }
 
 
-class KnownMargins(NamedTuple):
+class MeasuredMargins(NamedTuple):
     """The least margins over the inputs of one aircraft, model and loop."""
 
     aircraft: str
@@ -26,7 +26,7 @@ class KnownMargins(NamedTuple):
     least: Metrics
 
 
-def read_margins(path: Path) -> KnownMargins:
+def read_margins(path: Path) -> MeasuredMargins:
     """Read a `margins.json`.
 
     Raises:
@@ -37,9 +37,9 @@ def read_margins(path: Path) -> KnownMargins:
         channels = list(document["channels"].values())
         least = {
             name: min((c[key] for c in channels if c[key] is not None), default=None)
-            for name, key in MEASURED.items()
+            for name, key in KEYS.items()
         }
-        return KnownMargins(document["aircraft"], document["model"], document["loop"], least)
+        return MeasuredMargins(document["aircraft"], document["model"], document["loop"], least)
     except OSError as error:
         raise RecordingError(f"--margins {path}: cannot be read: {error.strerror}") from None
     except (ValueError, KeyError, TypeError, AttributeError):
@@ -48,7 +48,7 @@ def read_margins(path: Path) -> KnownMargins:
         ) from None
 
 
-def margins_of(flight: Flight, known: Sequence[KnownMargins]) -> Metrics:
+def margins_of(flight: Flight, known: Sequence[MeasuredMargins]) -> Metrics:
     """Those of the flight's aircraft, model and loop; nothing where none were measured."""
     scenario = flight.scenario
     name = PAPER_AIRCRAFT if scenario.model == "paper" else scenario.aircraft.name

@@ -1,12 +1,16 @@
 """Figure of an aircraft's step responses at its airspeeds."""
 
+from typing import Any
+
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
+import numpy.typing as npt
 from matplotlib.figure import Figure
 
 from ftc_jsb.inner_loop_design.published_steps import Steps, step_window
 from ftc_jsb.report.figures.style import RC, REFERENCE, STYLES
+from ftc_jsb.vocabulary.quantities import QUANTITIES
 
 
 def steps_figure(title: str, flown: list[Steps]) -> Figure:
@@ -25,19 +29,23 @@ def steps_figure(title: str, flown: list[Steps]) -> Figure:
             grid[0].plot(time, rows["load_factor"], **style, **label)
             grid[0].plot(time, rows["load_factor_cmd"], **REFERENCE)
             time, rows = step_window(steps.bank_flight)
-            grid[1].plot(time, np.degrees(rows["bank_angle"]), **style)
-            grid[1].plot(time, np.degrees(rows["bank_angle_cmd"]), **REFERENCE)
-            grid[2].plot(time, np.degrees(rows["sideslip"]), **style)
+            grid[1].plot(time, _shown(rows, "bank_angle"), **style)
+            grid[1].plot(time, _shown(rows, "bank_angle_cmd"), **REFERENCE)
+            grid[2].plot(time, _shown(rows, "sideslip"), **style)
             record, levels = steps.thrust_flight.record, steps.thrust_flight.levels
-            grid[3].plot(record["time"], record["thrust"] / 1e3, **style)
+            grid[3].plot(record["time"], _shown(record, "thrust"), **style)
             wanted = np.clip(record["thrust_cmd"], levels[:, 0], levels[:, 2])
-            grid[3].plot(record["time"], wanted / 1e3, **REFERENCE)
+            grid[3].plot(record["time"], QUANTITIES["thrust"].shown(wanted), **REFERENCE)
         for axes, name in zip(
-            grid,
-            ("Load factor [-]", "Bank angle [deg]", "Sideslip in it [deg]", "Thrust [kN]"),
-            strict=True,
+            grid, ("load_factor", "bank_angle", "sideslip", "thrust"), strict=True
         ):
-            axes.set_title(name)
+            quantity = QUANTITIES[name]
+            title = f"{quantity.title} in it" if name == "sideslip" else quantity.title
+            axes.set_title(f"{title} [{quantity.unit or '-'}]")
             axes.set_xlabel("Time [s]")
         grid[0].legend(loc="lower right")
     return figure
+
+
+def _shown(rows: npt.NDArray[Any], name: str) -> npt.NDArray[np.float64]:
+    return np.asarray(QUANTITIES[name].shown(rows[name]))

@@ -3,12 +3,13 @@
 from typing import Any, NamedTuple
 
 from ftc_jsb.analysis.command_following import AXES
-from ftc_jsb.analysis.filter_health import ACCELERATION, MEASURED, NIS_BOUND, SIGMAS
-from ftc_jsb.analysis.residuals import Residuals
+from ftc_jsb.analysis.filter_health import INNOVATIONS, NIS_BOUND, SIGMAS
+from ftc_jsb.analysis.model_residuals import Residuals
+from ftc_jsb.analysis.tracking import ERROR_NAMES
 from ftc_jsb.analysis.validity import MOTION
-from ftc_jsb.report.chart_series import Series
-from ftc_jsb.report.display_names import CHANNEL_TITLES
-from ftc_jsb.vocabulary.channels import CHANNELS
+from ftc_jsb.report.page.chart_series import STATES, Series
+from ftc_jsb.vocabulary.channels import CHANNELS, TRACKED
+from ftc_jsb.vocabulary.quantities import QUANTITIES
 
 ONCE = "reference"  # drawn once for a scenario, in ink
 LINE = "line"  # in the flight's colour and dash
@@ -68,48 +69,70 @@ def as_data(chart: Chart) -> dict[str, Any]:
     return {"name": chart.name, "title": chart.title, "rows": rows}
 
 
-def _all_charts() -> list[Chart]:
-    return [
+def _all_charts() -> tuple[Chart, ...]:
+    return (
+        *_flight_charts(),
+        *_validity_charts(),
+        *_estimator_charts(),
+        Chart(
+            "stability", "stability", "V(t) and the ball",
+            "Dotted: the bound on V(t), and the radius of the ball (40) around zero error.",
+            (
+                Row("V(t) of (37)", (_line("lyapunov"), Line(BOUND, ("lyapunov_bound",)))),
+                Row("‖e‖, scaled", (_line("scaled_error"), Line(BOUND, ("ball",)))),
+            ),
+        ),
+    )  # fmt: skip
+
+
+def _flight_charts() -> tuple[Chart, ...]:
+    states = [QUANTITIES[name].axis_label for name in TRACKED]
+    inputs = [QUANTITIES[channel].short_axis_label for channel in CHANNELS]
+    return (
         Chart(
             "states", "flights", "Airspeed, flight path, heading",
             "Thin dark line: reference, output of the command filter. Dotted: the fault.",
-            (
-                Row("Airspeed [m/s]", (_line("airspeed"), _once("airspeed_ref"))),
-                Row("Flight path [deg]", (_line("flight_path"), _once("flight_path_ref"))),
-                Row("Heading [deg]", (_line("heading"), _once("heading_ref"))),
+            tuple(
+                Row(label, (_line(name), _once(f"{name}_ref")))
+                for label, name in zip(states, STATES, strict=True)
             ),
         ),
         Chart(
             "errors", "flights", "Tracking errors", "True value minus reference.",
-            (
-                Row("Airspeed [m/s]", (_line("error_airspeed"),)),
-                Row("Flight path [deg]", (_line("error_flight_path_deg"),)),
-                Row("Heading [deg]", (_line("error_heading_deg"),)),
+            tuple(
+                Row(label, (_line(name),)) for label, name in zip(states, ERROR_NAMES, strict=True)
             ),
         ),
-        *(_estimate(channel) for channel in CHANNELS),
+        *(_estimate_chart(channel) for channel in CHANNELS),
         Chart(
             "controls", "flights", "Thrust command, load factor, bank",
             "Commanded thrust is what a healthy engine would deliver.",
-            (
-                Row("Thrust [kN]", (_line("thrust_command"),)),
-                Row("Load factor [-]", (_line("load_factor_flown"),)),
-                Row("Bank [deg]", (_line("bank_angle_flown"),)),
+            tuple(
+                Row(label, (_line(name),))
+                for label, name in zip(
+                    inputs, ("thrust_command", "load_factor_flown", "bank_angle_flown"), strict=True
+                )
             ),
         ),
         Chart(
             "trajectory", "flights", "Trajectory",
             "Dot: the fault sets in. Ring: the time cursor.",
-            (Row("Altitude [km]", (Line(LINE, ("east", "north", "altitude")),)),),
+            (
+                Row(
+                    QUANTITIES["altitude"].axis_label, (Line(LINE, ("east", "north", "altitude")),)
+                ),
+            ),
         ),
+    )  # fmt: skip
+
+
+def _validity_charts() -> tuple[Chart, ...]:
+    return (
         Chart(
             "differences", "validity", "Point mass minus JSBSim, over time",
             "Same scenario, same outer loop. In the colour of the point mass.",
             (
-                *(
-                    Row(_labelled(v.title, v.unit), (_line(f"difference_{v.name}"),))
-                    for v in MOTION
-                ),
+                *(Row(v.axis_label, (_line(f"difference_{v.name}"),)) for v in MOTION),
                 Row("Distance [m]", (_line("difference_position"),)),
             ),
         ),
@@ -118,7 +141,7 @@ def _all_charts() -> list[Chart]:
             "Broad and pale: command times true effectiveness. Line: what was flown.",
             tuple(
                 Row(
-                    _labelled(axis.title, axis.unit),
+                    axis.short_axis_label,
                     (Line(WIDE, (f"{axis.name}_wanted",)), _line(f"{axis.name}_flown")),
                 )
                 for axis in AXES
@@ -136,17 +159,23 @@ def _all_charts() -> list[Chart]:
                 )
             ),
         ),
+    )  # fmt: skip
+
+
+def _estimator_charts() -> tuple[Chart, ...]:
+    return (
         Chart(
             "innovations", "estimator", "Innovations over their σ, and NIS",
             "Dashed: 95 % bounds. A fault drives them far outside for a moment; double-click to see all.",
             (
                 *(
-                    Row(title, (_line(f"innovation_{name}"),), (-SIGMAS, SIGMAS), (-5.0, 5.0))
-                    for name, title in zip(
-                        (*MEASURED, ACCELERATION),
-                        ("Airspeed [σ]", "Flight path [σ]", "Heading [σ]", "Acceleration [σ]"),
-                        strict=True,
+                    Row(
+                        f"{QUANTITIES[name].title} [σ]",
+                        (_line(f"innovation_{name}"),),
+                        (-SIGMAS, SIGMAS),
+                        (-5.0, 5.0),
                     )
+                    for name in INNOVATIONS
                 ),
                 Row("NIS [-]", (_line("nis"),), (NIS_BOUND,), decades=3),
             ),
@@ -159,7 +188,7 @@ def _all_charts() -> list[Chart]:
                 Row("Statistic [-]", (_line("detector"), Line(MARK, ("declared",))), (1.0,)),
                 *(
                     Row(
-                        f"σ, {CHANNEL_TITLES[channel].lower()} [-]",
+                        f"σ, {QUANTITIES[channel].title.lower()} [-]",
                         (
                             _line(f"effectiveness_{channel}_deviation"),
                             Line(MARK, (f"effectiveness_{channel}_lost",)),
@@ -170,19 +199,11 @@ def _all_charts() -> list[Chart]:
                 ),
             ),
         ),
-        Chart(
-            "stability", "stability", "V(t) and the ball",
-            "Dotted: the bound on V(t), and the radius of the ball (40) around zero error.",
-            (
-                Row("V(t) of (37)", (_line("lyapunov"), Line(BOUND, ("lyapunov_bound",)))),
-                Row("‖e‖, scaled", (_line("scaled_error"), Line(BOUND, ("ball",)))),
-            ),
-        ),
-    ]  # fmt: skip
+    )  # fmt: skip
 
 
-def _estimate(channel: str) -> Chart:
-    name, title = f"effectiveness_{channel}", CHANNEL_TITLES[channel]
+def _estimate_chart(channel: str) -> Chart:
+    name, title = f"effectiveness_{channel}", QUANTITIES[channel].title
     return Chart(
         name, "flights", f"{title} effectiveness and its estimate",
         "Thin dark line: the truth. Band: ±2σ, which knows of no error of the drag and thrust models.",
@@ -210,7 +231,3 @@ def _line(column: str) -> Line:
 
 def _once(column: str) -> Line:
     return Line(ONCE, (column,))
-
-
-def _labelled(title: str, unit: str) -> str:
-    return f"{title} [{unit or '-'}]"

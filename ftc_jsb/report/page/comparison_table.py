@@ -1,19 +1,16 @@
 """The result table of the page: a column for each flight, and the ratio without and with FTC."""
 
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
 from ftc_jsb.analysis.verdict import passed
-from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.display_names import loop_title, model_title
-from ftc_jsb.report.flight_groups import by_scenario
-from ftc_jsb.report.metric_formats import Number, present, shown
-from ftc_jsb.report.quoted_numbers import Quote, quote
-from ftc_jsb.report.summary import verdict
+from ftc_jsb.report.flight_groups import Flights, by_scenario
+from ftc_jsb.report.page.first_screen import linked_verdict
+from ftc_jsb.report.page.linked_numbers import LinkedNumber, linked_number
+from ftc_jsb.report.shown_metrics import ShownMetric, metric_text, metrics_at_hand
+from ftc_jsb.report.titles import loop_title, model_title
 
-Flights = Mapping[str, Flight]
 Document = dict[str, Any]
 
 
@@ -35,8 +32,8 @@ class Head(NamedTuple):
 class Cell(NamedTuple):
     """A number, and whether it is the best or the worst of its row."""
 
-    number: Quote | str
-    mark: str  # "", "best", "worst", "ratio"
+    number: LinkedNumber | str
+    standing: str  # "", "best", "worst", "ratio"
 
 
 class Row(NamedTuple):
@@ -48,7 +45,7 @@ class Row(NamedTuple):
     cells: list[Cell]
 
 
-class Table(NamedTuple):
+class ComparisonTable(NamedTuple):
     """The whole table."""
 
     scenarios: list[Head]  # empty where there is only one
@@ -58,7 +55,7 @@ class Table(NamedTuple):
     rows: list[Row]
 
 
-def result_table(flights: Flights, document: Document) -> Table:
+def comparison_table(flights: Flights, document: Document) -> ComparisonTable:
     """Flights by scenario and model, in the order flown."""
     scenarios: list[Head] = []
     models: list[Head] = []
@@ -80,44 +77,48 @@ def result_table(flights: Flights, document: Document) -> Table:
         scenarios.append(Head(name, len(columns) - before))
     metrics = document["flights"]
     rows = []
-    for number in present(metrics):
-        marks = _marks(number, flights, metrics)
-        cells = [_cell(number, column, marks, document) for column in columns]
-        rows.append(Row(number.group, number.title, number.unit, cells))
+    for metric in metrics_at_hand(metrics):
+        standing = _best_and_worst(metric, flights, metrics)
+        cells = [_cell(metric, column, standing, document) for column in columns]
+        rows.append(Row(metric.group, metric.title, metric.unit, cells))
     verdicts = [
-        (verdict(document, c.label), "good" if passed(metrics[c.label]) else "bad")
+        (linked_verdict(document, c.label), "good" if passed(metrics[c.label]) else "bad")
         if c.label
         else (Markup(""), "")
         for c in columns
     ]
-    return Table(scenarios if len(scenarios) > 1 else [], models, columns, verdicts, rows)
+    return ComparisonTable(scenarios if len(scenarios) > 1 else [], models, columns, verdicts, rows)
 
 
-def _cell(number: Number, column: Column, marks: dict[str, str], document: Document) -> Cell:
+def _cell(
+    metric: ShownMetric, column: Column, standing: dict[str, str], document: Document
+) -> Cell:
     if column.label:
-        path = ("flights", column.label, number.key)
-        found = quote(document, path, number.digits, number.scale)
-        return Cell(found, marks.get(column.label, ""))
-    path_of_ratio = ("with_and_without", column.ratio, "ratio", number.key)
-    ratio = quote(document, path_of_ratio, 2)
+        path = ("flights", column.label, metric.key)
+        found = linked_number(document, path, metric.digits, metric.scale)
+        return Cell(found, standing.get(column.label, ""))
+    path_of_ratio = ("with_and_without", column.ratio, "ratio", metric.key)
+    ratio = linked_number(document, path_of_ratio, 2)
     return Cell("" if ratio.value is None else ratio, "ratio")
 
 
-def _marks(number: Number, flights: Flights, metrics: dict[str, Any]) -> dict[str, str]:
+def _best_and_worst(
+    metric: ShownMetric, flights: Flights, metrics: dict[str, Any]
+) -> dict[str, str]:
     """Best and worst of each scenario, among completed flights, where they differ as shown."""
-    marks: dict[str, str] = {}
-    if not number.judged:
-        return marks
+    standing: dict[str, str] = {}
+    if not metric.judged:
+        return standing
     for members in by_scenario(flights).values():
         values = {
-            label: metrics[label][number.key]
+            label: metrics[label][metric.key]
             for label in members
-            if metrics[label].get(number.key) is not None and metrics[label]["status"] == "complete"
+            if metrics[label].get(metric.key) is not None and metrics[label]["status"] == "complete"
         }
-        texts = {label: shown(number, metrics[label]) for label in values}
+        texts = {label: metric_text(metric, metrics[label]) for label in values}
         if len(set(texts.values())) < 2:
             continue
         least, most = (texts[pick(values, key=values.__getitem__)] for pick in (min, max))
-        marks |= {label: "best" for label, text in texts.items() if text == least}
-        marks |= {label: "worst" for label, text in texts.items() if text == most}
-    return marks
+        standing |= {label: "best" for label, text in texts.items() if text == least}
+        standing |= {label: "worst" for label, text in texts.items() if text == most}
+    return standing

@@ -2,22 +2,22 @@
 
 import base64
 import math
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.analysis.command_following import AXES, command_and_answer
-from ftc_jsb.analysis.filter_health import ACCELERATION, MEASURED, SIGMAS, whitened
-from ftc_jsb.analysis.limits import tracking_errors
-from ftc_jsb.analysis.metrics import unobservable
+from ftc_jsb.analysis.command_following import AXES, commanded_and_achieved
+from ftc_jsb.analysis.effectiveness_estimate import unobservable
+from ftc_jsb.analysis.filter_health import INNOVATIONS, SIGMAS, whitened
+from ftc_jsb.analysis.tracking import tracking_errors
 from ftc_jsb.analysis.validity import MOTION, apart
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.fault_marks import fault_times
+from ftc_jsb.report.fault_times import fault_times
 from ftc_jsb.report.findings import Findings
-from ftc_jsb.report.flight_groups import model_pairs
-from ftc_jsb.vocabulary.channels import CHANNELS
+from ftc_jsb.report.flight_groups import Flights, model_pairs
+from ftc_jsb.vocabulary.channels import CHANNELS, Channel
+from ftc_jsb.vocabulary.quantities import KILO, QUANTITIES
 
 Array = npt.NDArray[np.float64]
 Columns = dict[str, Array]
@@ -25,6 +25,11 @@ Columns = dict[str, Array]
 MOST_POINTS = 3000  # of a flight, evenly spaced
 ALL_POINTS = 18_000  # of all flights together: six full ones, 4 MB on the page
 CLOSE = 1.0  # [s] before and after a fault in which no sample is left out
+STATES = {  # on the page: in the recording
+    "airspeed": "airspeed",
+    "flight_path": "flight_path_angle",
+    "heading": "heading",
+}
 LEAST_NIS = 1e-3  # below, a NIS is shown at this value: its axis is logarithmic
 
 
@@ -35,7 +40,7 @@ class Series(NamedTuple):
     every: int  # one sample of so many is kept
 
 
-def flight_series(flights: Mapping[str, Flight], findings: Findings) -> dict[str, Series]:
+def flight_series(flights: Flights, findings: Findings) -> dict[str, Series]:
     """Series of each flight; those of pairs are with the point mass.
 
     All columns of a flight share one time axis: every n-th sample, every sample near a fault, and
@@ -56,36 +61,30 @@ def flight_series(flights: Mapping[str, Flight], findings: Findings) -> dict[str
 
 
 def _columns(flight: Flight) -> Columns:
-    """What the recording itself holds, in the units of the charts."""
+    """What the recording itself holds, in the units that are shown."""
     r = flight.record
-    columns: Columns = {
-        "time": r["time"],
-        "north": r["north"] / 1e3,
-        "east": r["east"] / 1e3,
-        "altitude": r["altitude"] / 1e3,
-        "airspeed": r["airspeed"],
-        "flight_path": np.degrees(r["flight_path_angle"]),
-        "heading": np.degrees(r["heading"]),
-        "airspeed_ref": r["airspeed_ref"],
-        "flight_path_ref": np.degrees(r["flight_path_angle_ref"]),
-        "heading_ref": np.degrees(r["heading_ref"]),
+    columns: Columns = {"time": r["time"]}
+    columns |= {name: QUANTITIES[name].shown(r[name]) for name in ("north", "east", "altitude")}
+    columns |= {name: QUANTITIES[of].shown(r[of]) for name, of in STATES.items()}
+    columns |= {f"{name}_ref": QUANTITIES[of].shown(r[f"{of}_ref"]) for name, of in STATES.items()}
+    columns |= {
         **tracking_errors(r),
-        "thrust_command": r["thrust_cmd"] / 1e3,
+        "thrust_command": QUANTITIES["thrust_cmd"].shown(r["thrust_cmd"]),
         "detector": r["fault_statistic"],
         "declared": np.where(r["fault_declared"] > 0.5, r["fault_statistic"], np.nan),
         "nis": np.maximum(r["innovation_squared"], LEAST_NIS),
     }
     for axis in AXES:
-        command, answer = command_and_answer(flight, axis)
-        columns[f"{axis.name}_wanted"], columns[f"{axis.name}_flown"] = command, answer
-    for name in (*MEASURED, ACCELERATION):
+        command, achieved = commanded_and_achieved(flight, axis)
+        columns[f"{axis.name}_wanted"], columns[f"{axis.name}_flown"] = command, achieved
+    for name in INNOVATIONS:
         columns[f"innovation_{name}"] = whitened(r, name)
     for channel in CHANNELS:
         columns |= _effectiveness(flight, channel)
     return columns
 
 
-def _effectiveness(flight: Flight, channel: Any) -> Columns:
+def _effectiveness(flight: Flight, channel: Channel) -> Columns:
     r, name = flight.record, f"effectiveness_{channel}"
     estimate, deviation = r[f"{name}_est"], r[f"{name}_std"]
     columns = {
@@ -107,12 +106,12 @@ def _findings(label: str, flight: Flight, findings: Findings) -> Columns:
     columns: Columns = {}
     if label in findings.residuals:
         for name, values in findings.residuals[label]._asdict().items():
-            columns[f"residual_{name}"] = values / 1e3
-    if label in findings.theory:
-        theory = findings.theory[label]
-        columns["lyapunov"], columns["lyapunov_bound"] = theory.value, theory.bound
-        columns["scaled_error"] = theory.error
-        columns["ball"] = np.full(flight.record.size, theory.radius)
+            columns[f"residual_{name}"] = KILO * values  # kN
+    if label in findings.proofs:
+        proof = findings.proofs[label]
+        columns["lyapunov"], columns["lyapunov_bound"] = proof.value, proof.bound
+        columns["scaled_error"] = proof.error
+        columns["ball"] = np.full(flight.record.size, proof.radius)
     return columns
 
 
@@ -123,7 +122,7 @@ def _differences(point_mass: Flight, six_dof: Flight) -> Columns:
     for variable in MOTION:
         values = np.full(point_mass.record.size, np.nan)
         one, other = (flight.record[variable.name][:count] for flight in (point_mass, six_dof))
-        values[:count] = variable.factor * (one - other)
+        values[:count] = variable.shown(one - other)
         columns[f"difference_{variable.name}"] = values
     distance = np.full(point_mass.record.size, np.nan)
     distance[:count] = apart(point_mass, six_dof)

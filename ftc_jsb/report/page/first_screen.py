@@ -1,25 +1,19 @@
 """The first screen: what was flown, whether the fault was tolerated, whether the point mass told the truth."""
 
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
 from ftc_jsb.analysis.ftc_effect import HELPED, HURT, NO_DIFFERENCE
-from ftc_jsb.analysis.verdict import LOST, passed, reservations
+from ftc_jsb.analysis.verdict import passed, reservations
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.display_names import (
-    air_and_sensors,
-    fault_sentences,
-    limit_title,
-    loop_title,
-    model_title,
-)
-from ftc_jsb.report.fault_marks import fault_times
-from ftc_jsb.report.flight_groups import by_scenario
-from ftc_jsb.report.quoted_numbers import quote
+from ftc_jsb.report.fault_times import fault_times
+from ftc_jsb.report.flight_groups import Flights, by_scenario
+from ftc_jsb.report.page.linked_numbers import linked_number
+from ftc_jsb.report.page.scenario_facts import air_and_sensors, fault_sentences
+from ftc_jsb.report.titles import loop_title, model_title
+from ftc_jsb.report.verdicts import verdict
 
-Flights = Mapping[str, Flight]
 Document = dict[str, Any]
 INTOLERANT = ("no-ftc", "law-no-ftc")  # loops that take every actuator for healthy
 LEAST_GIVEN_UP = 0.1  # [deg] or [deg/s]: less is not worth a word
@@ -69,22 +63,16 @@ def first_screen(flights: Flights, document: Document) -> list[Screen]:
     ]
 
 
-def verdict(document: Document, label: str) -> Markup:
-    """How a flight ended, its time quoted, and what else is to be said of it."""
+def linked_verdict(document: Document, label: str) -> Markup:
+    """How a flight ended and what else is to be said of it, its numbers linked to metrics.json."""
     metrics = document["flights"][label]
-    found = Markup(metrics["verdict"])
-    if metrics["status"] != "complete":
-        end = quote(document, ("flights", label, "end_time_s"), 1)
-        found = Markup("{} at {} s").format(metrics["status"], end)
-    elif metrics["verdict"] == LOST:
-        at = quote(document, ("flights", label, "loss_of_control_time_s"), 1)
-        found = Markup("{}: {} from {} s").format(LOST, metrics["loss_of_control"], at)
-    elif metrics["limits_broken"]:
-        at = quote(document, ("flights", label, "limits_broken", 0, "time"), 1)
-        name = limit_title(metrics["limits_broken"][0]["name"])
-        found = Markup("limit broken: {} at {} s").format(name, at)
+    words, time_at = verdict(metrics)
+    found = Markup("{}").format(words)
+    if time_at is not None:
+        time = linked_number(document, ("flights", label, *time_at), 1)
+        found += Markup(" at {} s").format(time)
     for said in reservations(metrics):
-        number = quote(document, ("flights", label, *said.place), said.digits, said.factor)
+        number = linked_number(document, ("flights", label, *said.place), said.digits, said.factor)
         found += Markup("; {}{}{}").format(said.before, number, said.after)
     return found
 
@@ -118,7 +106,8 @@ def _tolerated(label: str, members: Flights, document: Document) -> Answer:
         subject += f", {loop_title(scenario)}"
     good = passed(document["flights"][label])
     sentence = Markup("{}; airspeed RMSE {} m/s").format(
-        verdict(document, label), quote(document, ("flights", label, "rmse_airspeed_mps"), 3)
+        linked_verdict(document, label),
+        linked_number(document, ("flights", label, "rmse_airspeed_mps"), 3),
     )
     sentence += _given_up(label, document)
     return Answer(GOOD if good else BAD, "Yes" if good else "No", subject, sentence)
@@ -131,11 +120,11 @@ def _helped(index: int, members: Flights, document: Document) -> Answer:
     kind = {HELPED: GOOD, NO_DIFFERENCE: HALF, HURT: BAD}[pair["answer"]]
     scenario = members[pair["with_ftc"]].scenario
     sentence = Markup("airspeed RMSE {} m/s with {}, {} m/s with {} ({})").format(
-        quote(document, (*place, "rmse_airspeed_with_mps"), 3),
+        linked_number(document, (*place, "rmse_airspeed_with_mps"), 3),
         loop_title(scenario),
-        quote(document, (*place, "rmse_airspeed_without_mps"), 2),
+        linked_number(document, (*place, "rmse_airspeed_without_mps"), 2),
         loop_title(members[pair["without_ftc"]].scenario),
-        verdict(document, pair["without_ftc"]),
+        linked_verdict(document, pair["without_ftc"]),
     )
     return Answer(kind, pair["answer"].capitalize(), model_title(scenario), sentence)
 
@@ -148,7 +137,7 @@ def _given_up(label: str, document: Document) -> Markup:
         ("peak_turn_given_up_deg_s", "of turn", "deg/s"),
     ):
         if (document["flights"][label].get(key) or 0.0) >= LEAST_GIVEN_UP:
-            most = quote(document, ("flights", label, key), 1)
+            most = linked_number(document, ("flights", label, key), 1)
             found += Markup(", up to {} {} {} given up").format(most, unit, name)
     return found
 
@@ -161,14 +150,14 @@ def _truth(index: int, document: Document) -> Answer:
     text = Markup("{}; {} differs by {} {} RMS, {} times the {} {} agreed").format(
         same,
         entry["decides"]["title"],
-        quote(document, (*place, "decides", "rms"), 3),
+        linked_number(document, (*place, "decides", "rms"), 3),
         entry["decides"]["unit"],
-        quote(document, (*place, "decides", "times_agreed"), 1),
-        quote(document, (*place, "decides", "agreed"), 1),
+        linked_number(document, (*place, "decides", "times_agreed"), 1),
+        linked_number(document, (*place, "decides", "agreed"), 1),
         entry["decides"]["unit"],
     )
     for part, name in (("motion", "motion and commands"), ("tracking_errors", "tracking errors")):
-        coefficient = quote(document, (*place, part, "theil"), 2)
+        coefficient = linked_number(document, (*place, part, "theil"), 2)
         title = entry[part]["title"].lower()
         text += Markup("; largest U of {} {} ({})").format(name, coefficient, title)
     return Answer(kind, entry["answer"].capitalize(), entry["model"], text)

@@ -1,4 +1,4 @@
-"""Margins as a table on the terminal and as a Bode figure."""
+"""Figure of the outer loop's frequency response, with the margins found by inserting them."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -9,55 +9,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ftc_jsb.margins.document import decibel
-from ftc_jsb.margins.measure import MOST_DELAY, MOST_GAIN, ChannelMargins
-from ftc_jsb.report.display_names import CHANNEL_TITLES
+from ftc_jsb.margins.measure import ChannelMargins
 from ftc_jsb.report.figures.style import RC, STYLES
+from ftc_jsb.vocabulary.quantities import QUANTITIES
 
 INSERTED: dict[str, Any] = {"color": STYLES[1]["color"], "markersize": 5, "linestyle": "none"}
-
-
-def margins_table(found: Sequence[ChannelMargins]) -> list[list[str]]:
-    """Heading and one row for each input; the first number of a pair is inserted, the second response."""
-    rows = [["input", "gain [dB]", "at [rad/s]", "phase [°]", "at [rad/s]", "delay [s]", "agree"]]
-    for each in found:
-        c = each.classical
-        rows.append(
-            [
-                CHANNEL_TITLES[each.channel],
-                f"{_or_more(decibel(each.gain), decibel(MOST_GAIN), '.1f')} / "
-                f"{_or_more(decibel(c.gain), decibel(MOST_GAIN), '.1f')}",
-                _or_none(c.phase_crossover, ".0f"),
-                _or_none(np.degrees(c.phase), ".1f"),
-                _or_none(c.gain_crossover, ".2f"),
-                f"{_or_more(each.delay, MOST_DELAY, '.3f')} / {_or_more(c.delay, MOST_DELAY, '.3f')}",
-                "yes" if each.agree else "NO",
-            ]
-        )
-    return rows
-
-
-def print_margins(title: str, found: Sequence[ChannelMargins]) -> None:
-    """Print the table."""
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
-
-    heading, *rows = margins_table(found)
-    table = Table(
-        title=f"{title}\ngain and delay: inserted / by frequency response",
-        box=SIMPLE_HEAD,
-        padding=(0, 1, 0, 0),
-    )
-    for name in heading:
-        table.add_column(
-            Text(name.replace(" ", "\n")),
-            justify="left" if name == "input" else "right",
-            no_wrap=True,
-        )
-    for row in rows:
-        table.add_row(*row)
-    Console().print(table)
 
 
 def bode_figure(title: str, found: Sequence[ChannelMargins]) -> Figure:
@@ -77,8 +33,8 @@ def bode_figure(title: str, found: Sequence[ChannelMargins]) -> Figure:
             size, phase, coherence = grid[:, column]
             response, c = each.response, each.classical
             angle = np.degrees(np.unwrap(np.angle(response.loop)))
-            size.set_title(CHANNEL_TITLES[each.channel])
-            size.semilogx(response.frequency, decibel_of(response.loop), **STYLES[0])
+            size.set_title(QUANTITIES[each.channel].title)
+            size.semilogx(response.frequency, _decibel_of(response.loop), **STYLES[0])
             size.axhline(0.0, color="#222222", lw=0.7)
             phase.semilogx(response.frequency, angle, **STYLES[0])
             phase.axhline(-180.0, color="#222222", lw=0.7)
@@ -104,14 +60,6 @@ def bode_figure(title: str, found: Sequence[ChannelMargins]) -> Figure:
     return figure
 
 
-def decibel_of(loop: Any) -> Any:
+def _decibel_of(loop: Any) -> Any:
     """Size of a complex array in dB."""
     return 20.0 * np.log10(np.abs(loop))
-
-
-def _or_more(value: float, most: float, form: str) -> str:
-    return f"> {most:g}" if value > most else format(value, form)
-
-
-def _or_none(value: float, form: str) -> str:
-    return format(value, form) if np.isfinite(value) else "–"

@@ -1,0 +1,76 @@
+"""The report: one self-contained HTML file, its figures, and the numbers beside it."""
+
+from collections.abc import Sequence
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import jinja2
+import markupsafe
+
+from ftc_jsb.errors import RecordingError
+from ftc_jsb.report.figures.draw import draw_all
+from ftc_jsb.report.figures.style import FORMATS
+from ftc_jsb.report.findings import analyse
+from ftc_jsb.report.flight_groups import Flights
+from ftc_jsb.report.measured_margins import MeasuredMargins
+from ftc_jsb.report.page.chart_series import flight_series
+from ftc_jsb.report.page.contents import page_contents
+from ftc_jsb.runs.metrics_file import write_metrics
+
+
+def write_report(
+    flights: Flights,
+    folder: Path,
+    command: str,
+    unread: tuple[str, ...] = (),
+    margins: Sequence[MeasuredMargins] = (),
+) -> dict[str, Any]:
+    """Write `report.html`, `metrics.json` and `figures/` for flights by label.
+
+    Args:
+        flights: at least one.
+        folder: exists and is writable.
+        command: as typed, for the foot of the report.
+        unread: what is wrong with recordings that could not be read.
+        margins: of `ftc-jsb margins`, for the flights that they are of.
+
+    Returns:
+        The contents of `metrics.json`.
+
+    Raises:
+        RecordingError: the folder cannot be written.
+    """
+    findings = analyse(flights, margins)
+    series = flight_series(flights, findings)
+    findings.document["samples_per_point"] = {label: s.every for label, s in series.items()}
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("ftc_jsb.report.page", "templates"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=jinja2.StrictUndefined,
+    )
+    try:
+        write_metrics(folder / "metrics.json", findings.document)
+        drawn = draw_all(flights, folder / "figures")
+        contents = page_contents(flights, findings, series, unread)
+        page = environment.get_template("report.html").render(
+            **contents, command=command, figures=drawn, formats=FORMATS, script=_embedded()
+        )
+        (folder / "report.html").write_text(page, encoding="utf-8")
+    except OSError as error:
+        raise RecordingError(f"{folder}: the report cannot be written: {error}") from None
+    return findings.document
+
+
+def _embedded() -> dict[str, markupsafe.Markup]:
+    """The page's style, its script, and Plotly from its package: nothing is fetched."""
+    from plotly.offline import get_plotlyjs
+
+    here = resources.files("ftc_jsb.report.page") / "templates"
+    return {
+        "style": markupsafe.Markup((here / "report.css").read_text(encoding="utf-8")),
+        "plotly": markupsafe.Markup(get_plotlyjs()),
+        "page": markupsafe.Markup((here / "report.js").read_text(encoding="utf-8")),
+    }
