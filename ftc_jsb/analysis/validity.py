@@ -81,7 +81,7 @@ def apart(point_mass: Flight, six_dof: Flight) -> Array:
 
 
 def judge(pairs: list[dict[str, Any]]) -> dict[str, Any]:
-    """Whether a point mass told the truth, over its pairs: the answer and what it hangs on.
+    """Whether a point mass told the truth, over its pairs: the answer and what it depends on.
 
     "yes": the same verdict in every flight, and Theil's coefficient at most ACCEPTED for motion,
     commands and tracking errors; "in part": tracking errors excepted; else "no".
@@ -99,13 +99,13 @@ def judge(pairs: list[dict[str, Any]]) -> dict[str, Any]:
 
 def _worst(pairs: list[dict[str, Any]], group: tuple[Quantity, ...]) -> dict[str, Any]:
     """The largest coefficient of a group of variables, and which variable has it."""
-    told = [
+    known = [
         (pair["variables"][variable.key]["theil"], variable)
         for pair in pairs
         for variable in group
         if pair["variables"][variable.key] is not None
     ]
-    theil, variable = max(told, key=lambda entry: entry[0])
+    theil, variable = max(known, key=lambda entry: entry[0])
     return {"theil": theil, "variable": variable.key, "title": variable.title}
 
 
