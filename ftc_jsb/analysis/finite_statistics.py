@@ -31,5 +31,5 @@ def fraction(where: npt.NDArray[np.bool_], known: Array) -> float | None:
         where: (rows,), whether it holds.
         known: (rows,), finite where that is known.
     """
-    told = np.isfinite(known)
-    return float(np.mean(where[told])) if told.any() else None
+    finite = np.isfinite(known)
+    return float(np.mean(where[finite])) if finite.any() else None

@@ -134,13 +134,13 @@ def _farthest(pairs: list[dict[str, Any]], agreement: Agreement) -> dict[str, An
 
 def _worst(pairs: list[dict[str, Any]], group: tuple[Quantity, ...]) -> dict[str, Any]:
     """The largest coefficient of a group of variables, and which variable has it."""
-    told = [
+    known = [
         (pair["variables"][variable.key]["theil"], variable)
         for pair in pairs
         for variable in group
         if pair["variables"][variable.key] is not None
     ]
-    theil, variable = max(told, key=lambda entry: entry[0])
+    theil, variable = max(known, key=lambda entry: entry[0])
     return {"theil": theil, "variable": variable.key, "title": variable.title}
 
 

@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 from ftc_jsb.analysis.metrics import Metrics
 from ftc_jsb.vocabulary.quantities import QUANTITIES
 
+STATISTICS = {"rmse": "RMSE", "peak_error": "peak", "peak": "peak"}  # in metrics.json: as shown
+
 
 class ShownMetric(NamedTuple):
     """A row of the result table."""
@@ -21,7 +23,7 @@ class ShownMetric(NamedTuple):
 def _of(
     statistic: str, name: str, digits: int, judged: bool = False, group: str = ""
 ) -> ShownMetric:
-    """RMSE or peak of a quantity."""
+    """A statistic of STATISTICS of one quantity."""
     quantity = QUANTITIES[name]
     title = f"{quantity.short_title}, {STATISTICS[statistic]}"
     return ShownMetric(
@@ -42,7 +44,6 @@ def _travel(name: str, key: str, digits: int, group: str = "") -> ShownMetric:
     return ShownMetric(key, title, unit, digits, True, scale, group)
 
 
-STATISTICS = {"rmse": "RMSE", "peak_error": "peak", "peak": "peak"}
 SHOWN_METRICS = (
     _of("rmse", "airspeed", 3, True, "Tracking error"),
     _of("peak_error", "airspeed", 2, True),
