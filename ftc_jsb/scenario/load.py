@@ -10,6 +10,7 @@ from pydantic import ValidationError
 
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.resources import shipped
+from ftc_jsb.scenario.keys import with_value
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.typed_file import first_problem
 
@@ -62,7 +63,7 @@ def load_scenario(name: str, overrides: Sequence[str] = ()) -> Scenario:
         return scenario
     values = tomllib.loads(text)
     for override in overrides:
-        _override(values, override)
+        values = _overridden(values, override)
     try:
         return _validated(values)
     except ValidationError as error:
@@ -95,7 +96,7 @@ def _validated(values: dict[str, Any]) -> Scenario:
     return Scenario.model_validate_json(json.dumps(values, default=str), strict=True)
 
 
-def _override(values: dict[str, Any], override: str) -> None:
+def _overridden(values: dict[str, Any], override: str) -> dict[str, Any]:
     key, equals, text = override.partition("=")
     if not equals or not key.strip():
         raise ScenarioError(f"--set {override!r}: expected KEY=VALUE, such as loop.trim_filter=20")
@@ -105,26 +106,7 @@ def _override(values: dict[str, Any], override: str) -> None:
         value = text.strip()
     except (ValueError, RecursionError) as error:
         raise ScenarioError(f"--set {key.strip()}: cannot be read: {error}") from None
-    parts = key.strip().replace("[", ".").replace("]", "").split(".")
-    place: Any = values
-    for index, part in enumerate(parts):
-        last = index == len(parts) - 1
-        if isinstance(place, list):
-            if not part.isdigit() or int(part) >= len(place):
-                raise ScenarioError(
-                    f"--set {key}: {'.'.join(parts[:index])} has {len(place)} entries; "
-                    f"{part!r} is none of 0 to {len(place) - 1}"
-                )
-            selector: Any = int(part)
-        else:
-            selector = part
-        if last:
-            place[selector] = value
-        else:
-            if isinstance(place, dict):
-                place.setdefault(selector, {})
-            place = place[selector]
-            if not isinstance(place, dict | list):
-                raise ScenarioError(
-                    f"--set {key}: {'.'.join(parts[: index + 1])} is a value, not a section"
-                )
+    try:
+        return with_value(values, key, value)
+    except ScenarioError as error:
+        raise ScenarioError(f"--set {key}: {error}") from None
