@@ -25,7 +25,7 @@ from ftc_jsb.report.flight_groups import by_scenario, plain, scenario_difference
 from ftc_jsb.report.margins_files import KnownMargins
 from ftc_jsb.report.quoted_numbers import Quote, quote
 from ftc_jsb.report.summary import first_screen
-from ftc_jsb.runs.flights import write_metrics
+from ftc_jsb.runs.metrics_file import write_metrics
 from ftc_jsb.scenario.load import scenario_toml
 
 DASHES = ("solid", "dash", "dot", "dashdot", "longdash")

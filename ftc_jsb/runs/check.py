@@ -1,12 +1,10 @@
-"""What can be seen before flying: whether aircraft, faults and loops are there, and what is shipped."""
+"""What can be seen before flying: whether the aircraft, faults and loops of a scenario are there."""
 
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.control.protocol import LoopSetup
-from ftc_jsb.errors import UserError
 from ftc_jsb.loops.built_in import BUILT_IN
-from ftc_jsb.loops.registry import loop_names, make_loop
-from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder, aircraft_names
-from ftc_jsb.scenario.load import load_scenario, scenario_names
+from ftc_jsb.loops.registry import make_loop
+from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import refuse_unflyable
 from ftc_jsb.simulation.assembly import point_mass_of
@@ -49,25 +47,3 @@ def _trimmed(scenario: Scenario) -> str:
     dt = 1.0 / (scenario.loop.rate * scenario.simulation.jsbsim_steps)
     trimmed(aircraft, root, dt, scenario.initial, scenario.aircraft.fuel_fraction)
     return aircraft.title
-
-
-def inventory() -> dict[str, dict[str, str]]:
-    """Names and meanings of what is shipped or installed."""
-    aircraft = {}
-    for name in aircraft_names():
-        aircraft[name] = point_mass_title(name)
-    return {
-        "scenarios": {name: load_scenario(name).title for name in scenario_names()},
-        "aircraft": aircraft,
-        "loops": loop_names(),
-    }
-
-
-def point_mass_title(name: str) -> str:
-    """Title of a shipped aircraft's point mass."""
-    from ftc_jsb.aircraft.point_mass_file import load_point_mass
-
-    try:
-        return load_point_mass(aircraft_folder(name)).title
-    except UserError as error:
-        return str(error)

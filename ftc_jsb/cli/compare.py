@@ -1,0 +1,47 @@
+"""`ftc-jsb compare`: every model and loop of a scenario, and their report."""
+
+import sys
+from pathlib import Path
+
+import click
+
+from ftc_jsb.cli.announcement import announce
+from ftc_jsb.cli.exit_codes import INTERRUPTED
+from ftc_jsb.cli.options import (
+    Output,
+    json_option,
+    margins_option,
+    output_options,
+    scenario_argument,
+    set_option,
+)
+
+
+@click.command()
+@scenario_argument
+@set_option
+@output_options
+@json_option
+@margins_option
+def compare(
+    scenario: str,
+    overrides: tuple[str, ...],
+    output: Output,
+    as_json: bool,
+    margin_files: tuple[Path, ...],
+) -> None:
+    """Fly every model and loop of [compare]; write recordings, metrics.json and report.html."""
+    from ftc_jsb.cli.progress import progress_for
+    from ftc_jsb.cli.written_report import write_and_print
+    from ftc_jsb.report.margins_files import read_margins
+    from ftc_jsb.runs.comparison import compare_and_save
+    from ftc_jsb.scenario.load import load_scenario
+
+    flown = load_scenario(scenario, overrides)
+    margins = [read_margins(path) for path in margin_files]
+    with output.folder(f"compare-{flown.name}") as folder:
+        announce(flown)
+        flights, interrupted = compare_and_save(flown, folder, progress_for(flown, as_json))
+        write_and_print(flights, folder, as_json, margins=margins)
+    if interrupted:
+        sys.exit(INTERRUPTED)

@@ -1,0 +1,25 @@
+"""`ftc-jsb export`: an aircraft with its inner loop, for plain JSBSim."""
+
+from pathlib import Path
+
+import click
+
+from ftc_jsb.cli.options import aircraft_argument, force_option
+
+
+@click.command()
+@aircraft_argument
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.option("--stock", is_flag=True, help="Without the corrections of its flight control.")
+@force_option
+def export(aircraft: str, folder: Path, stock: bool, force: bool) -> None:
+    """Write AIRCRAFT with its inner loop to DIR, for plain JSBSim, with a script that flies it."""
+    from ftc_jsb.aircraft.description import load_aircraft
+    from ftc_jsb.export.aircraft_folder import export as run
+    from ftc_jsb.runs.output_folder import output_folder
+
+    loaded = load_aircraft(aircraft)
+    with output_folder(folder, loaded.name, force, "DIR"):
+        written = run(loaded, not stock, folder)
+    click.echo(f"{len(written)} files in {folder}; to fly it, and under whose licence: ")
+    click.echo(f"{folder / 'README.txt'}, {folder / 'NOTICE'}")

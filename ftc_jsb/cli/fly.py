@@ -1,0 +1,118 @@
+"""`ftc-jsb fly`: one flight."""
+
+import json
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import click
+
+from ftc_jsb.cli.announcement import announce
+from ftc_jsb.cli.exit_codes import BAD_USAGE, DONE, INTERRUPTED, LIMIT_BROKEN
+from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
+from ftc_jsb.cli.options import (
+    MODELS,
+    Output,
+    json_option,
+    output_options,
+    scenario_argument,
+    set_option,
+)
+from ftc_jsb.cli.printing import message, print_json
+
+if TYPE_CHECKING:
+    from ftc_jsb.runs.observers import ObserverFactory
+    from ftc_jsb.simulation.fly import Observer
+
+
+@click.command()
+@scenario_argument
+@click.option("--model", type=MODELS, help="What is flown.")
+@click.option("--loop", metavar="NAME", help="Outer loop: a name, or package.module:Class.")
+@click.option(
+    "--flightgear", metavar="HOST:PORT", help="Show the flight in FlightGear, in real time."
+)
+@set_option
+@output_options
+@json_option
+@live_options
+def fly(
+    scenario: str,
+    model: str | None,
+    loop: str | None,
+    flightgear: str | None,
+    overrides: tuple[str, ...],
+    output: Output,
+    as_json: bool,
+    live: LiveOptions,
+) -> None:
+    """Fly SCENARIO once; write flight.nc and metrics.json."""
+    from ftc_jsb.cli.progress import progress_for
+    from ftc_jsb.runs.single import fly_and_save
+    from ftc_jsb.scenario.load import load_scenario
+
+    flown = load_scenario(scenario, [*overrides, *_overrides(model, loop)])
+    observers_for: ObserverFactory = progress_for(flown, as_json)
+    shown: AbstractContextManager[Path | None] = nullcontext()
+    if flightgear is not None:
+        from ftc_jsb.flightgear.viewer import output_directive, viewer
+
+        shown = output_directive(viewer(flightgear, flown))
+        if live.endpoint is None and live.realtime is None:
+            observers_for = _paced(observers_for, flown.loop.rate)
+        else:
+            live = live._replace(realtime=live.realtime or 1.0)
+    with output.folder(flown.name) as folder:
+        announce(flown)
+        with shown as directive, flying_beside(flown, live) as beside:
+            result = fly_and_save(flown, folder, observers_for, beside, directive)
+    for line in beside.summary() if beside is not None else ():
+        message(line)
+    if as_json:
+        print_json(result.document)
+    else:
+        from ftc_jsb.report.terminal_table import print_table
+
+        print_table({result.label: result.metrics})
+        click.echo(f"Recording: {folder / 'flight.nc'}")
+    _exit_by(result.metrics)
+
+
+def _overrides(model: str | None, loop: str | None) -> list[str]:
+    """The options --model and --loop as overrides of the scenario."""
+    overrides = [f'model="{model}"'] if model else []
+    return overrides + ([f"loop.name={json.dumps(loop)}"] if loop else [])
+
+
+def _paced(observers_for: "ObserverFactory", rate: float) -> "ObserverFactory":
+    """The same observers, and one that holds the flight back to real time; `rate` in Hz."""
+    from ftc_jsb.simulation.pacing import Pacer
+
+    @contextmanager
+    def paced(label: str) -> "Iterator[Sequence[Observer]]":
+        with observers_for(label) as observers:
+            yield [*observers, Pacer(rate, 1.0)]
+
+    return paced
+
+
+def _exit_by(metrics: dict[str, Any]) -> NoReturn:
+    """Say what went wrong in a flight, and end by its exit code."""
+    from ftc_jsb.analysis.metrics import passed
+
+    for limit in metrics["limits_broken"]:
+        message(
+            f"limit broken: {limit['name']} first at {limit['time']:.2f} s, "
+            f"worst {limit['value']:.4g} against {limit['limit']:g}"
+        )
+    if metrics["status"] == "interrupted":
+        message(f"interrupted at {metrics['end_time_s']:.2f} s; saved")
+        sys.exit(INTERRUPTED)
+    if metrics["status"] == "failed":
+        message(f"{metrics['reason']}; what was flown is saved")
+        sys.exit(BAD_USAGE)
+    if metrics["status"] == "departed":
+        message(f"departed at {metrics['end_time_s']:.2f} s: {metrics['reason']}")
+    sys.exit(DONE if passed(metrics) else LIMIT_BROKEN)

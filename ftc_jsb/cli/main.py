@@ -1,0 +1,54 @@
+"""`ftc-jsb`: its commands, and how each of them ends if it fails."""
+
+import sys
+from typing import Any
+
+import click
+
+import ftc_jsb
+from ftc_jsb.cli.bench import bench
+from ftc_jsb.cli.check import check
+from ftc_jsb.cli.compare import compare
+from ftc_jsb.cli.convert import convert
+from ftc_jsb.cli.exit_codes import BAD_USAGE, INTERRUPTED
+from ftc_jsb.cli.export import export
+from ftc_jsb.cli.figures import figures
+from ftc_jsb.cli.fly import fly
+from ftc_jsb.cli.identify import identify
+from ftc_jsb.cli.inner_loop import inner_loop
+from ftc_jsb.cli.inventory import list_
+from ftc_jsb.cli.margins import margins
+from ftc_jsb.cli.printing import message
+from ftc_jsb.cli.replay import replay
+from ftc_jsb.cli.report import report
+from ftc_jsb.errors import UserError
+
+
+class _Commands(click.Group):
+    """Turns every `UserError` into one sentence and exit code 2."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except UserError as error:
+            message(str(error))
+            sys.exit(BAD_USAGE)
+        except KeyboardInterrupt:
+            message("interrupted")
+            sys.exit(INTERRUPTED)
+
+
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(ftc_jsb.__version__, prog_name="ftc-jsb")
+def main() -> None:
+    """Fault-tolerant flight control on a point mass and on JSBSim fighters.
+
+    SCENARIO is the path of a .toml file or the name of a shipped one: see `ftc-jsb list`.
+    """
+
+
+for _command in (
+    bench, check, compare, convert, export, figures, fly,
+    identify, inner_loop, list_, margins, replay, report,
+):  # fmt: skip
+    main.add_command(_command)

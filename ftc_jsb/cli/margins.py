@@ -1,0 +1,63 @@
+"""`ftc-jsb margins`: stability margins measured in level flight."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, cast
+
+import click
+
+from ftc_jsb.cli.announcement import announce
+from ftc_jsb.cli.options import MODELS, Output, json_option, output_options
+from ftc_jsb.cli.printing import print_json, progress_line
+
+if TYPE_CHECKING:
+    from ftc_jsb.scenario.schema import Model
+
+
+@click.command()
+@click.argument("name", metavar="SCENARIO|AIRCRAFT")
+@click.option("--model", type=MODELS, default="jsbsim", show_default=True, help="What is flown.")
+@click.option("--airspeed", metavar="M/S", type=float, help="In place of the scenario's.")
+@click.option("--altitude", metavar="M", type=float, help="In place of the scenario's.")
+@click.option(
+    "--amplitude",
+    metavar="FACTOR",
+    type=click.FloatRange(1e-3, 1e3),
+    default=1.0,
+    show_default=True,
+    help="Of the signals that are injected: 20 N, 0.005 g, 0.005 rad times this.",
+)
+@output_options
+@json_option
+def margins(
+    name: str,
+    model: str,
+    airspeed: float | None,
+    altitude: float | None,
+    amplitude: float,
+    output: Output,
+    as_json: bool,
+) -> None:
+    """Measure gain, phase and delay margins in level flight; write margins.json and bode.png."""
+    from ftc_jsb.margins.condition import level_scenario
+    from ftc_jsb.margins.document import document
+    from ftc_jsb.margins.measure import CHANNELS, channel_margins
+    from ftc_jsb.runs.metrics_file import write_metrics
+
+    flown = level_scenario(name, cast("Model", model), airspeed, altitude)
+    with output.folder(f"margins-{Path(name).stem}") as folder:
+        announce(flown)
+        found = []
+        for channel in CHANNELS:  # written as it goes: an interruption loses nothing finished
+            found.append(channel_margins(flown, channel, progress_line, amplitude))
+            write_metrics(folder / "margins.json", document(flown, found))
+        from ftc_jsb.report.margins_output import bode_figure, print_margins
+
+        what = flown.aircraft.name if model != "paper" else "paper"
+        at = f"{flown.initial.airspeed:g} m/s, {flown.initial.altitude:g} m"
+        title = f"{what} ({model}), loop {flown.loop.name}, {at}"
+        bode_figure(title, found).savefig(folder / "bode.png", dpi=150)
+    if as_json:
+        print_json(document(flown, found))
+    else:
+        print_margins(title, found)
+        click.echo(f"Written: {folder / 'margins.json'}, {folder / 'bode.png'}")

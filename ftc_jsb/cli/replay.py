@@ -1,0 +1,46 @@
+"""`ftc-jsb replay`: a recording flown again and compared to the bit."""
+
+import sys
+from pathlib import Path
+
+import click
+
+from ftc_jsb.cli.exit_codes import LIMIT_BROKEN
+from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
+from ftc_jsb.cli.options import recording_argument
+from ftc_jsb.cli.printing import message
+
+
+@click.command()
+@recording_argument
+@live_options
+def replay(recording: Path, live: LiveOptions) -> None:
+    """Fly a recording again, its commands included; exit code 1 if not bit for bit the same.
+
+    A ground station may watch; what it says is ignored.
+    """
+    from ftc_jsb.recording.netcdf import attributes_of, load
+    from ftc_jsb.simulation.replay import changed_since, differences
+    from ftc_jsb.simulation.replay import replay as fly_again
+
+    flight = load(recording)
+    watched = live._replace(readonly=live.endpoint is not None)
+    with flying_beside(flight.scenario, watched) as beside:
+        again = fly_again(flight, beside.observers if beside else ())
+        if beside is not None:
+            beside.flies_again(again)
+    found = differences(flight, again)
+    if not found:
+        click.echo(
+            f"{recording}: the same to the bit: {flight.record.size} samples, "
+            f"{len(flight.commands)} commands"
+        )
+        return
+    for change in changed_since(flight, attributes_of(recording)):
+        message(change)
+    first = found[0]
+    message(
+        f"{recording}: {len(found)} variables differ, the first is {first.name} from "
+        f"{first.time:.2f} s on, by {first.largest:.3g} at most"
+    )
+    sys.exit(LIMIT_BROKEN)

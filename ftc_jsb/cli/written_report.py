@@ -1,0 +1,42 @@
+"""The report as `ftc-jsb compare` and `ftc-jsb report` write it, and what they print of it."""
+
+import shlex
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import click
+
+from ftc_jsb.cli.printing import print_json
+from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.margins_files import KnownMargins
+from ftc_jsb.report.page import write_report
+from ftc_jsb.report.terminal_table import print_table
+
+
+def write_and_print(
+    flights: dict[str, Flight],
+    folder: Path,
+    as_json: bool,
+    unread: tuple[str, ...] = (),
+    margins: Sequence[KnownMargins] = (),
+) -> None:
+    """Write the report of flights by label; print its table, or its numbers as JSON.
+
+    Args:
+        flights: at least one.
+        folder: exists and is writable.
+        as_json: print for machines.
+        unread: what is wrong with recordings that could not be read.
+        margins: shown with the flights that they are of.
+
+    Raises:
+        RecordingError: the folder cannot be written.
+    """
+    command = shlex.join(["ftc-jsb", *sys.argv[1:]])
+    document = write_report(flights, folder, command, unread, margins)
+    if as_json:
+        print_json(document)
+    else:
+        print_table(document["flights"])
+        click.echo(f"Report: {folder / 'report.html'}")

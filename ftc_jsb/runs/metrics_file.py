@@ -1,0 +1,26 @@
+"""`metrics.json`: what is in it, and how it is written."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+from ftc_jsb.analysis.metrics import Metrics
+from ftc_jsb.errors import RecordingError
+
+
+def document(metrics: dict[str, Metrics]) -> dict[str, Any]:
+    """The contents of `metrics.json`."""
+    return {"flights": metrics}
+
+
+def write_metrics(path: Path, contents: dict[str, Any]) -> None:
+    """Write `metrics.json`; unknown numbers are null, never NaN, which is no JSON.
+
+    Raises:
+        RecordingError: the file cannot be written.
+    """
+    try:
+        text = json.dumps(contents, indent=2, allow_nan=False)
+        path.write_text(text + "\n", encoding="utf-8")
+    except OSError as error:
+        raise RecordingError(f"{path}: cannot be written: {error.strerror}") from None

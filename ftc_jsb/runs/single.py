@@ -1,0 +1,62 @@
+"""One flight, flown and saved."""
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ftc_jsb.analysis.metrics import Metrics, flight_metrics
+from ftc_jsb.recording.netcdf import save
+from ftc_jsb.runs.live import Live
+from ftc_jsb.runs.metrics_file import document, write_metrics
+from ftc_jsb.runs.observers import ObserverFactory
+from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.fly import fly
+
+
+class Result(NamedTuple):
+    """A flight that was flown and saved."""
+
+    label: str
+    metrics: Metrics
+    document: dict[str, Any]  # the contents of metrics.json
+
+
+def fly_and_save(
+    scenario: Scenario,
+    folder: Path,
+    observers_for: ObserverFactory,
+    live: Live | None = None,
+    output: Path | None = None,
+) -> Result:
+    """Fly; write `flight.nc` and `metrics.json`, also of a flight that did not end well.
+
+    A live flight may be flown again; the earlier ones are then `flight-1.nc`, `flight-2.nc`, ...
+
+    Args:
+        scenario: as loaded.
+        folder: exists.
+        observers_for: gives the observers.
+        live: real time and ground stations.
+        output: JSBSim's output directive.
+
+    Raises:
+        UserError: as `fly`; or the folder cannot be written.
+    """
+    path = folder / "flight.nc"
+    flown = 0
+    while True:
+        with observers_for(scenario.model) as observers:
+            if live is None:
+                flight = fly(scenario, observers, output=output)
+            else:
+                beside = (*observers, *live.observers)
+                flight = fly(scenario, beside, commands=live.commands, output=output)
+        if flown:
+            path.replace(folder / f"flight-{flown}.nc")
+        save(flight, path)
+        flown += 1
+        if live is None or not live.flies_again(flight):
+            break
+    metrics = flight_metrics(flight)
+    contents = document({flight.label: metrics})
+    write_metrics(folder / "metrics.json", contents)
+    return Result(flight.label, metrics, contents)
