@@ -15,6 +15,7 @@ from ftc_jsb.cli.options import (
     scenario_argument,
     set_option,
 )
+from ftc_jsb.cli.written_report import write_and_print
 
 
 @click.command()
@@ -32,7 +33,6 @@ def compare(
 ) -> None:
     """Fly every model and loop of [compare]; write recordings, metrics.json and report.html."""
     from ftc_jsb.cli.progress import progress_for
-    from ftc_jsb.cli.written_report import write_and_print
     from ftc_jsb.report.margins_files import read_margins
     from ftc_jsb.runs.comparison import compare_and_save
     from ftc_jsb.scenario.load import load_scenario

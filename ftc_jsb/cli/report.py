@@ -14,6 +14,7 @@ from ftc_jsb.cli.options import (
     recordings_argument,
 )
 from ftc_jsb.cli.printing import message
+from ftc_jsb.cli.written_report import write_and_print
 
 
 @click.command()
@@ -35,8 +36,6 @@ def report(
     flights, broken = labelled_recordings(recordings)
     for text in broken:
         message(text)
-    from ftc_jsb.cli.written_report import write_and_print
-
     with output.folder("report") as folder:
         write_and_print(flights, folder, as_json, tuple(broken), margins)
     if broken:

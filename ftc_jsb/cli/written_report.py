@@ -4,22 +4,23 @@ import shlex
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from ftc_jsb.cli.printing import print_json
-from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.margins_files import KnownMargins
-from ftc_jsb.report.page import write_report
-from ftc_jsb.report.terminal_table import print_table
+
+if TYPE_CHECKING:
+    from ftc_jsb.recording.flight import Flight
+    from ftc_jsb.report.margins_files import KnownMargins
 
 
 def write_and_print(
-    flights: dict[str, Flight],
+    flights: "dict[str, Flight]",
     folder: Path,
     as_json: bool,
     unread: tuple[str, ...] = (),
-    margins: Sequence[KnownMargins] = (),
+    margins: "Sequence[KnownMargins]" = (),
 ) -> None:
     """Write the report of flights by label; print its table, or its numbers as JSON.
 
@@ -33,6 +34,9 @@ def write_and_print(
     Raises:
         RecordingError: the folder cannot be written.
     """
+    from ftc_jsb.report.page import write_report
+    from ftc_jsb.report.terminal_table import print_table
+
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
     document = write_report(flights, folder, command, unread, margins)
     if as_json:
