@@ -1,4 +1,4 @@
-"""The command line, one verb a file."""
+"""The command line: parse, call, print. Imports what a command needs only when it runs."""
 
 from ftc_jsb.cli.main import main
 

@@ -1,10 +1,9 @@
 """`ftc-jsb bench`: what steps, flights and commands cost."""
 
-import json
-
 import click
 
 from ftc_jsb.cli.options import json_option
+from ftc_jsb.cli.printing import print_json, progress_line
 
 
 @click.command()
@@ -13,8 +12,8 @@ def bench(as_json: bool) -> None:
     """Measure what steps, flights and commands cost, in about two minutes."""
     from ftc_jsb.bench.summary import lines, measure_all
 
-    found = measure_all(lambda line: click.echo(line, err=True))
+    found = measure_all(progress_line)
     if as_json:
-        click.echo(json.dumps(found, indent=2))
+        print_json(found)
     else:
         click.echo("\n".join(lines(found)))

@@ -1,19 +1,20 @@
-"""`ftc-jsb check`: a scenario read and validated, without flying."""
+"""`ftc-jsb check`: a scenario seen through without flying."""
 
 import click
 
-from ftc_jsb.cli.options import set_option
-from ftc_jsb.cli.scenario import load, print_notes
+from ftc_jsb.cli.announcement import note
+from ftc_jsb.cli.options import scenario_argument, set_option
 
 
 @click.command()
-@click.argument("file", metavar="SCENARIO")
+@scenario_argument
 @set_option
-def check(file: str, overrides: tuple[str, ...]) -> None:
+def check(scenario: str, overrides: tuple[str, ...]) -> None:
     """Read and validate a scenario, its aircraft and its loops, without flying."""
     from ftc_jsb.runs.check import check_scenario
+    from ftc_jsb.scenario.load import load_scenario
 
-    flown = load(file, overrides)
+    flown = load_scenario(scenario, overrides)
     for line in check_scenario(flown):
         click.echo(line)
-    print_notes(flown)
+    note(flown)

@@ -1,47 +1,47 @@
-"""`ftc-jsb compare`: every model with every loop of a scenario, and the report."""
+"""`ftc-jsb compare`: every model and loop of a scenario, and their report."""
 
 import sys
 from pathlib import Path
 
 import click
 
+from ftc_jsb.cli.announcement import announce
 from ftc_jsb.cli.exit_codes import INTERRUPTED
 from ftc_jsb.cli.options import (
-    force_option,
+    Output,
     json_option,
     margins_option,
-    out_option,
+    output_options,
     scenario_argument,
     set_option,
 )
-from ftc_jsb.cli.results import margins_of, write_results
-from ftc_jsb.cli.scenario import announce, load, progress_for
+from ftc_jsb.cli.written_report import write_and_print
 
 
 @click.command()
 @scenario_argument
 @set_option
-@out_option
-@force_option
+@output_options
 @json_option
 @margins_option
 def compare(
     scenario: str,
     overrides: tuple[str, ...],
-    out: Path | None,
-    force: bool,
+    output: Output,
     as_json: bool,
     margin_files: tuple[Path, ...],
 ) -> None:
     """Fly every model and loop of [compare]; write recordings, metrics.json and report.html."""
+    from ftc_jsb.cli.progress import progress_for
+    from ftc_jsb.report.measured_margins import read_margins
     from ftc_jsb.runs.comparison import compare_and_save
-    from ftc_jsb.runs.output_folder import output_folder
+    from ftc_jsb.scenario.load import load_scenario
 
-    flown = load(scenario, overrides)
-    margins = margins_of(margin_files)
-    with output_folder(out, f"compare-{flown.name}", force) as folder:
+    flown = load_scenario(scenario, overrides)
+    margins = [read_margins(path) for path in margin_files]
+    with output.folder(f"compare-{flown.name}") as folder:
         announce(flown)
         flights, interrupted = compare_and_save(flown, folder, progress_for(flown, as_json))
-        write_results(flights, folder, as_json, margins=margins)
+        write_and_print(flights, folder, as_json, margins=margins)
     if interrupted:
         sys.exit(INTERRUPTED)

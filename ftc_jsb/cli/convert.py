@@ -1,12 +1,14 @@
-"""`ftc-jsb convert`: a recording in the format of another program."""
+"""`ftc-jsb convert`: a recording for another program."""
 
 from pathlib import Path
 
 import click
 
+from ftc_jsb.cli.options import recording_argument
+
 
 @click.command()
-@click.argument("recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path))
+@recording_argument
 @click.option(
     "--to", "format_", metavar="FORMAT", required=True, help="csv, mat, parquet, acmi or tlog."
 )

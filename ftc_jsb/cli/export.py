@@ -4,11 +4,11 @@ from pathlib import Path
 
 import click
 
-from ftc_jsb.cli.options import force_option
+from ftc_jsb.cli.options import aircraft_argument, force_option
 
 
 @click.command()
-@click.argument("aircraft", metavar="AIRCRAFT")
+@aircraft_argument
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.option("--stock", is_flag=True, help="Without the corrections of its flight control.")
 @force_option

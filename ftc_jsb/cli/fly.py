@@ -1,37 +1,41 @@
-"""`ftc-jsb fly`: one scenario, one model, one loop."""
+"""`ftc-jsb fly`: one flight."""
 
 import json
-from contextlib import AbstractContextManager, nullcontext
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
-from ftc_jsb.cli.exit_codes import exit_by
-from ftc_jsb.cli.live import beside_flight, paced
+from ftc_jsb.cli.announcement import announce
+from ftc_jsb.cli.exit_codes import BAD_USAGE, DONE, INTERRUPTED, LIMIT_BROKEN
+from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
 from ftc_jsb.cli.options import (
-    force_option,
+    MODELS,
+    Output,
     json_option,
-    live_options,
-    out_option,
+    output_options,
     scenario_argument,
     set_option,
 )
-from ftc_jsb.cli.scenario import announce, load, progress_for, with_model_and_loop
+from ftc_jsb.cli.printing import message, print_json
+
+if TYPE_CHECKING:
+    from ftc_jsb.runs.observers import ObserverFactory
+    from ftc_jsb.simulation.fly import Observer
 
 
 @click.command()
 @scenario_argument
-@click.option(
-    "--model", type=click.Choice(["paper", "identified", "jsbsim"]), help="What is flown."
-)
+@click.option("--model", type=MODELS, help="What is flown.")
 @click.option("--loop", metavar="NAME", help="Outer loop: a name, or package.module:Class.")
 @click.option(
     "--flightgear", metavar="HOST:PORT", help="Show the flight in FlightGear, in real time."
 )
 @set_option
-@out_option
-@force_option
+@output_options
 @json_option
 @live_options
 def fly(
@@ -40,38 +44,79 @@ def fly(
     loop: str | None,
     flightgear: str | None,
     overrides: tuple[str, ...],
-    out: Path | None,
-    force: bool,
+    output: Output,
     as_json: bool,
-    **live: Any,
+    live: LiveOptions,
 ) -> None:
     """Fly SCENARIO once; write flight.nc and metrics.json."""
-    from ftc_jsb.runs.output_folder import output_folder
+    from ftc_jsb.cli.progress import progress_for
     from ftc_jsb.runs.single import fly_and_save
+    from ftc_jsb.scenario.load import load_scenario
 
-    flown = load(scenario, with_model_and_loop(overrides, model, loop))
-    watch = progress_for(flown, as_json)
+    flown = load_scenario(scenario, [*overrides, *_overrides(model, loop)])
+    observers_for: ObserverFactory = progress_for(flown, as_json)
     shown: AbstractContextManager[Path | None] = nullcontext()
     if flightgear is not None:
         from ftc_jsb.flightgear.viewer import output_directive, viewer
 
         shown = output_directive(viewer(flightgear, flown))
-        if live["endpoint"] is None and live["realtime"] is None:
-            watch = paced(watch, flown.loop.rate)
+        if live.endpoint is None and live.realtime is None:
+            observers_for = _paced(observers_for, flown.loop.rate)
         else:
-            live["realtime"] = live["realtime"] or 1.0
-    with output_folder(out, flown.name, force) as folder:
+            live = live._replace(realtime=live.realtime or 1.0)
+    with output.folder(flown.name) as folder:
         announce(flown)
-        with shown as output, beside_flight(flown, **live) as beside:
-            result = fly_and_save(flown, folder, watch, beside, output)
-    if beside is not None:
-        for line in beside.summary():
-            click.echo(f"ftc-jsb: {line}", err=True)
+        with shown as directive, flying_beside(flown, live) as beside:
+            result = fly_and_save(flown, folder, observers_for, beside, directive)
+    for line in beside.summary() if beside is not None else ():
+        message(line)
     if as_json:
-        click.echo(json.dumps(result.document, indent=2))
+        print_json(result.document)
     else:
         from ftc_jsb.report.terminal.flights import print_flights
 
         print_flights({result.label: result.metrics})
         click.echo(f"Recording: {folder / 'flight.nc'}")
-    exit_by(result.metrics)
+    _exit_by(result.metrics)
+
+
+def _overrides(model: str | None, loop: str | None) -> list[str]:
+    """The options --model and --loop as overrides of the scenario."""
+    overrides = [f'model="{model}"'] if model else []
+    return overrides + ([f"loop.name={json.dumps(loop)}"] if loop else [])
+
+
+def _paced(observers_for: "ObserverFactory", rate: float) -> "ObserverFactory":
+    """The same observers, and one that holds the flight back to real time; `rate` in Hz."""
+    from ftc_jsb.simulation.pacing import Pacer
+
+    @contextmanager
+    def paced(label: str) -> "Iterator[Sequence[Observer]]":
+        with observers_for(label) as observers:
+            yield [*observers, Pacer(rate, 1.0)]
+
+    return paced
+
+
+def _exit_by(metrics: dict[str, Any]) -> NoReturn:
+    """Say what went wrong in a flight, and end by its exit code."""
+    from ftc_jsb.analysis.verdict import passed
+
+    for limit in metrics["limits_broken"]:
+        message(
+            f"limit broken: {limit['name']} first at {limit['time']:.2f} s, "
+            f"worst {limit['value']:.4g} against {limit['limit']:g}"
+        )
+    if metrics["status"] == "interrupted":
+        message(f"interrupted at {metrics['end_time_s']:.2f} s; saved")
+        sys.exit(INTERRUPTED)
+    if metrics["status"] == "failed":
+        message(f"{metrics['reason']}; what was flown is saved")
+        sys.exit(BAD_USAGE)
+    if metrics["loss_of_control"] is not None:
+        message(
+            f"control lost at {metrics['loss_of_control_time_s']:.2f} s: {metrics['loss_of_control']}"
+        )
+    if metrics["status"] == "departed":
+        message(f"departed at {metrics['end_time_s']:.2f} s: {metrics['reason']}")
+    sys.exit(DONE if passed(metrics) else LIMIT_BROKEN)

@@ -1,4 +1,4 @@
-"""The command line: parse, call, print. A verb imports what it needs only when it runs."""
+"""`ftc-jsb`: its commands, and how each of them ends if it fails."""
 
 import sys
 from typing import Any
@@ -18,6 +18,7 @@ from ftc_jsb.cli.identify import identify
 from ftc_jsb.cli.inner_loop import inner_loop
 from ftc_jsb.cli.inventory import list_
 from ftc_jsb.cli.margins import margins
+from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
 from ftc_jsb.errors import UserError
@@ -30,10 +31,10 @@ class _Commands(click.Group):
         try:
             return super().invoke(ctx)
         except UserError as error:
-            click.echo(f"ftc-jsb: {error}", err=True)
+            message(str(error))
             sys.exit(BAD_USAGE)
         except KeyboardInterrupt:
-            click.echo("ftc-jsb: interrupted", err=True)
+            message("interrupted")
             sys.exit(INTERRUPTED)
 
 
@@ -46,20 +47,8 @@ def main() -> None:
     """
 
 
-VERBS = (
-    fly,
-    compare,
-    report,
-    convert,
-    figures,
-    replay,
-    check,
-    list_,
-    identify,
-    inner_loop,
-    export,
-    margins,
-    bench,
-)
-for verb in VERBS:
-    main.add_command(verb)
+for _command in (
+    bench, check, compare, convert, export, figures, fly,
+    identify, inner_loop, list_, margins, replay, report,
+):  # fmt: skip
+    main.add_command(_command)

@@ -1,14 +1,13 @@
-"""`ftc-jsb margins`: gain, phase and delay margins, measured in flight."""
+"""`ftc-jsb margins`: stability margins measured in level flight."""
 
-import json
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 import click
 
-from ftc_jsb.cli.options import force_option, json_option, out_option
-from ftc_jsb.cli.scenario import announce
+from ftc_jsb.cli.announcement import announce
+from ftc_jsb.cli.options import MODELS, Output, json_option, output_options
+from ftc_jsb.cli.printing import print_json, progress_line
 
 if TYPE_CHECKING:
     from ftc_jsb.scenario.schema import Model
@@ -16,13 +15,7 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("name", metavar="SCENARIO|AIRCRAFT")
-@click.option(
-    "--model",
-    type=click.Choice(["paper", "identified", "jsbsim"]),
-    default="jsbsim",
-    show_default=True,
-    help="What is flown.",
-)
+@click.option("--model", type=MODELS, default="jsbsim", show_default=True, help="What is flown.")
 @click.option("--airspeed", metavar="M/S", type=float, help="In place of the scenario's.")
 @click.option("--altitude", metavar="M", type=float, help="In place of the scenario's.")
 @click.option(
@@ -33,8 +26,7 @@ if TYPE_CHECKING:
     show_default=True,
     help="Of the signals that are injected: 20 N, 0.005 g, 0.005 rad times this.",
 )
-@out_option
-@force_option
+@output_options
 @json_option
 def margins(
     name: str,
@@ -42,8 +34,7 @@ def margins(
     airspeed: float | None,
     altitude: float | None,
     amplitude: float,
-    out: Path | None,
-    force: bool,
+    output: Output,
     as_json: bool,
 ) -> None:
     """Measure gain, phase and delay margins in level flight; write margins.json and bode.png."""
@@ -51,14 +42,13 @@ def margins(
     from ftc_jsb.margins.document import document
     from ftc_jsb.margins.measure import CHANNELS, channel_margins
     from ftc_jsb.runs.metrics_file import write_metrics
-    from ftc_jsb.runs.output_folder import output_folder
 
     flown = level_scenario(name, cast("Model", model), airspeed, altitude)
-    with output_folder(out, f"margins-{Path(name).stem}", force) as folder:
+    with output.folder(f"margins-{Path(name).stem}") as folder:
         announce(flown)
-        tell, found = partial(click.echo, err=True), []
+        found = []
         for channel in CHANNELS:  # written as it goes: an interruption loses nothing finished
-            found.append(channel_margins(flown, channel, tell, amplitude))
+            found.append(channel_margins(flown, channel, progress_line, amplitude))
             write_metrics(folder / "margins.json", document(flown, found))
         from ftc_jsb.report.figures.bode import bode_figure
         from ftc_jsb.report.terminal.margins import print_margins
@@ -68,7 +58,7 @@ def margins(
         title = f"{what} ({model}), loop {flown.loop.name}, {at}"
         bode_figure(title, found).savefig(folder / "bode.png", dpi=150)
     if as_json:
-        click.echo(json.dumps(document(flown, found), indent=2))
+        print_json(document(flown, found))
     else:
         print_margins(title, found)
         click.echo(f"Written: {folder / 'margins.json'}, {folder / 'bode.png'}")

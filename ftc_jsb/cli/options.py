@@ -1,54 +1,82 @@
-"""Options that several verbs share."""
+"""Arguments and options that several commands have."""
 
+import functools
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
+Callback = Callable[..., Any]
+Decorator = Callable[[Callback], Callback]
+
+MODELS = click.Choice(["paper", "identified", "jsbsim"])
+
 scenario_argument = click.argument("scenario", metavar="SCENARIO")
+aircraft_argument = click.argument("aircraft", metavar="AIRCRAFT")
+recording_argument = click.argument(
+    "recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path)
+)
+recordings_argument = click.argument(
+    "recordings", metavar="FLIGHT.nc...", nargs=-1, required=True, type=click.Path(path_type=Path)
+)
 set_option = click.option(
     "--set", "overrides", metavar="KEY=VALUE", multiple=True, help="Override a key of the scenario."
 )
-out_option = click.option(
-    "--out", metavar="DIR", type=click.Path(path_type=Path), help="Folder for the results."
-)
 force_option = click.option("--force", is_flag=True, help="Write into DIR though it is not empty.")
+json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON for machines.")
 margins_option = click.option(
     "--margins", "margin_files", metavar="FILE", multiple=True, type=click.Path(path_type=Path),
     help="margins.json of `ftc-jsb margins`, shown with the flights that it is of.",
 )  # fmt: skip
-json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON for machines.")
 
 
-LIVE = (
-    click.option(
-        "--realtime", is_flag=False, flag_value=1.0, metavar="[FACTOR]", default=None,
-        type=click.FloatRange(0.01, 100.0), help="Hold the flight back to the clock, or FACTOR times it.",
-    ),
-    click.option(
-        "--mavlink", "endpoint", metavar="ENDPOINT",
-        help="Be a MAVLink vehicle: udpout:HOST:PORT, udpin:HOST:PORT or tcpin:HOST:PORT.",
-    ),
-    click.option(
-        "--sysid", type=click.IntRange(1, 255), default=1, help="System id of the vehicle."
-    ),
-    click.option(
-        "--mavlink-key", "key", metavar="FILE", type=click.Path(path_type=Path),
-        help="Pass phrase: frames are signed, and what is not signed is refused.",
-    ),
-    click.option("--mavlink-readonly", "readonly", is_flag=True, help="Ignore what the ground says."),
-    click.option(
-        "--tlog", metavar="FILE", type=click.Path(path_type=Path), help="Write a telemetry log."
-    ),
-    click.option(
-        "--linger", metavar="SECONDS", type=click.FloatRange(0.0, 1e9), default=None,
-        help="Time that the vehicle stays after its flight; on a terminal until Ctrl-C, else 0.",
-    ),
-)  # fmt: skip
+def grouped(name: str, group: type[Any], *options: Decorator) -> Decorator:
+    """Options that a command gets as one argument.
+
+    Args:
+        name: of the argument.
+        group: a NamedTuple whose fields are the names of the options.
+        options: in the order in which --help shows them.
+    """
+
+    def decorate(command: Callback) -> Callback:
+        @functools.wraps(command)
+        def called(**given: Any) -> Any:
+            values = {field: given.pop(field) for field in group._fields}
+            return command(**given, **{name: group(**values)})
+
+        decorated: Callback = called
+        for option in reversed(options):
+            decorated = option(decorated)
+        return decorated
+
+    return decorate
 
 
-def live_options(command: Any) -> Any:
-    """Give a verb the options of real time and MAVLink; they reach it as keywords."""
-    for option in reversed(LIVE):
-        command = option(command)
-    return command
+class Output(NamedTuple):
+    """Where the results of a command go."""
+
+    out: Path | None
+    force: bool
+
+    def folder(self, name: str) -> AbstractContextManager[Path]:
+        """The folder, seen to be writable; by default ./out/<name>-<date-time>.
+
+        Raises:
+            RecordingError: it is not empty, or cannot be made or written.
+        """
+        from ftc_jsb.runs.output_folder import output_folder
+
+        return output_folder(self.out, name, self.force)
+
+
+output_options = grouped(
+    "output",
+    Output,
+    click.option(
+        "--out", metavar="DIR", type=click.Path(path_type=Path), help="Folder for the results."
+    ),
+    force_option,
+)

@@ -1,5 +1,6 @@
 """A progress bar on a terminal, as an observer of flights."""
 
+import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
@@ -44,3 +45,8 @@ class Progress:
         observe.coarse = True  # type: ignore[attr-defined]
         with bar:
             yield (observe,)
+
+
+def progress_for(scenario: Scenario, quiet: bool) -> Progress:
+    """A progress bar if there is a terminal to show it, and nobody wants quiet."""
+    return Progress(scenario, enabled=sys.stderr.isatty() and not quiet)

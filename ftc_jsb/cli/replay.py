@@ -1,20 +1,20 @@
-"""`ftc-jsb replay`: a recording flown again, and compared bit for bit."""
+"""`ftc-jsb replay`: a recording flown again and compared to the bit."""
 
 import sys
 from pathlib import Path
-from typing import Any
 
 import click
 
 from ftc_jsb.cli.exit_codes import LIMIT_BROKEN
-from ftc_jsb.cli.live import beside_flight
-from ftc_jsb.cli.options import live_options
+from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
+from ftc_jsb.cli.options import recording_argument
+from ftc_jsb.cli.printing import message
 
 
 @click.command()
-@click.argument("recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path))
+@recording_argument
 @live_options
-def replay(recording: Path, **live: Any) -> None:
+def replay(recording: Path, live: LiveOptions) -> None:
     """Fly a recording again, its commands included; exit code 1 if not bit for bit the same.
 
     A ground station may watch; what it says is ignored.
@@ -24,9 +24,8 @@ def replay(recording: Path, **live: Any) -> None:
     from ftc_jsb.simulation.replay import replay as fly_again
 
     flight = load(recording)
-    with beside_flight(
-        flight.scenario, **{**live, "readonly": live["endpoint"] is not None}
-    ) as beside:
+    watched = live._replace(readonly=live.endpoint is not None)
+    with flying_beside(flight.scenario, watched) as beside:
         again = fly_again(flight, beside.observers if beside else ())
         if beside is not None:
             beside.flies_again(again)
@@ -38,11 +37,10 @@ def replay(recording: Path, **live: Any) -> None:
         )
         return
     for change in changed_since(flight, attributes_of(recording)):
-        click.echo(f"ftc-jsb: {change}", err=True)
+        message(change)
     first = found[0]
-    click.echo(
-        f"ftc-jsb: {recording}: {len(found)} variables differ, the first is {first.name} from "
-        f"{first.time:.2f} s on, by {first.largest:.3g} at most",
-        err=True,
+    message(
+        f"{recording}: {len(found)} variables differ, the first is {first.name} from "
+        f"{first.time:.2f} s on, by {first.largest:.3g} at most"
     )
     sys.exit(LIMIT_BROKEN)

@@ -6,34 +6,37 @@ from pathlib import Path
 import click
 
 from ftc_jsb.cli.exit_codes import BAD_USAGE
-from ftc_jsb.cli.options import force_option, json_option, margins_option, out_option
-from ftc_jsb.cli.results import margins_of, write_results
+from ftc_jsb.cli.options import (
+    Output,
+    json_option,
+    margins_option,
+    output_options,
+    recordings_argument,
+)
+from ftc_jsb.cli.printing import message
+from ftc_jsb.cli.written_report import write_and_print
 
 
 @click.command()
-@click.argument(
-    "recordings", metavar="FLIGHT.nc...", nargs=-1, required=True, type=click.Path(path_type=Path)
-)
-@out_option
-@force_option
+@recordings_argument
+@output_options
 @json_option
 @margins_option
 def report(
     recordings: tuple[Path, ...],
-    out: Path | None,
-    force: bool,
+    output: Output,
     as_json: bool,
     margin_files: tuple[Path, ...],
 ) -> None:
     """Write the report of recordings that exist."""
-    from ftc_jsb.runs.output_folder import output_folder
+    from ftc_jsb.report.measured_margins import read_margins
     from ftc_jsb.runs.recordings import labelled_recordings
 
-    margins = margins_of(margin_files)
+    margins = [read_margins(path) for path in margin_files]
     flights, broken = labelled_recordings(recordings)
-    for message in broken:
-        click.echo(f"ftc-jsb: {message}", err=True)
-    with output_folder(out, "report", force) as folder:
-        write_results(flights, folder, as_json, tuple(broken), margins)
+    for text in broken:
+        message(text)
+    with output.folder("report") as folder:
+        write_and_print(flights, folder, as_json, tuple(broken), margins)
     if broken:
         sys.exit(BAD_USAGE)

@@ -1,4 +1,4 @@
-"""What can be seen before flying: whether aircraft, faults and loops are there."""
+"""What can be seen before flying: whether the aircraft, faults and loops of a scenario are there."""
 
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.control.protocol import LoopSetup

@@ -1,31 +1,37 @@
-"""Every model with every loop of [compare], each flight saved as it is done."""
+"""Every model with every loop of [compare], flown and saved one after the other."""
 
 from pathlib import Path
 
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.recording.netcdf import save
 from ftc_jsb.runs.check import check_scenario
-from ftc_jsb.runs.single import ObserverFactory
+from ftc_jsb.runs.observers import ObserverFactory
 from ftc_jsb.scenario.schema import Model, Scenario
 from ftc_jsb.simulation.fly import fly
 
-Flights = dict[str, Flight]
-
 
 def compare_and_save(
-    scenario: Scenario, folder: Path, watch: ObserverFactory
-) -> tuple[Flights, bool]:
+    scenario: Scenario, folder: Path, observers_for: ObserverFactory
+) -> tuple[dict[str, Flight], bool]:
     """Fly every model with every loop of [compare], saving each flight as it is done.
+
+    Args:
+        scenario: as loaded.
+        folder: exists; gets `<model>-<loop>.nc`.
+        observers_for: gives the observers of a flight by its label.
 
     Returns:
         The flights by label, and whether the user stopped before the last was complete.
+
+    Raises:
+        UserError: as `check_scenario` and `fly`; or the folder cannot be written.
     """
     check_scenario(scenario)
-    flights: Flights = {}
+    flights: dict[str, Flight] = {}
     for model in scenario.compare.models:
         for loop in scenario.compare.loops:
             try:
-                with watch(f"{model}-{loop}") as observers:
+                with observers_for(f"{model}-{loop}") as observers:
                     flight = fly(variant(scenario, model, loop), observers)
                 flights[flight.label] = flight
                 save(flight, folder / f"{flight.label}.nc")

@@ -1,4 +1,4 @@
-"""`metrics.json`: its contents, and how it is written."""
+"""`metrics.json`: what is in it, and how it is written."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Recordings that exist, read and labelled."""
+"""Recordings that are there already, read and labelled."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -7,10 +7,8 @@ from ftc_jsb.errors import RecordingError
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.recording.netcdf import load
 
-Flights = dict[str, Flight]
 
-
-def labelled_recordings(paths: Sequence[Path]) -> tuple[Flights, list[str]]:
+def labelled_recordings(paths: Sequence[Path]) -> tuple[dict[str, Flight], list[str]]:
     """Flights of recordings, labelled so that each is told apart; and what could not be read.
 
     Raises:
@@ -24,7 +22,7 @@ def labelled_recordings(paths: Sequence[Path]) -> tuple[Flights, list[str]]:
             broken.append(str(error))
     if not loaded:
         raise RecordingError("; ".join(broken))
-    flights: Flights = {}
+    flights: dict[str, Flight] = {}
     for path, flight in loaded:
         label = flight.label
         if sum(other.label == label for _, other in loaded) > 1:

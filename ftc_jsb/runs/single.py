@@ -1,20 +1,15 @@
-"""One flight, saved with its metrics as soon as it is over."""
+"""One flight, flown and saved."""
 
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 from ftc_jsb.analysis.metrics import Metrics, flight_metrics
-from ftc_jsb.recording.flight import Flight
 from ftc_jsb.recording.netcdf import save
+from ftc_jsb.runs.live import Live
 from ftc_jsb.runs.metrics_file import document, write_metrics
+from ftc_jsb.runs.observers import ObserverFactory
 from ftc_jsb.scenario.schema import Scenario
-from ftc_jsb.simulation.command_source import CommandSource
-from ftc_jsb.simulation.fly import Observer, fly
-
-# Label of a flight -> its observers, for as long as it is flown
-ObserverFactory = Callable[[str], AbstractContextManager[Sequence[Observer]]]
+from ftc_jsb.simulation.fly import fly
 
 
 class Result(NamedTuple):
@@ -22,23 +17,13 @@ class Result(NamedTuple):
 
     label: str
     metrics: Metrics
-    document: dict[str, Any]
-
-
-class Live(Protocol):
-    """Real time and ground stations, as a flight sees them."""
-
-    observers: Sequence[Observer]
-    commands: CommandSource | None
-
-    def flies_again(self, flight: Flight) -> bool:
-        """A flight is over and saved; whether another of the same scenario is wanted."""
+    document: dict[str, Any]  # the contents of metrics.json
 
 
 def fly_and_save(
     scenario: Scenario,
     folder: Path,
-    watch: ObserverFactory,
+    observers_for: ObserverFactory,
     live: Live | None = None,
     output: Path | None = None,
 ) -> Result:
@@ -49,14 +34,17 @@ def fly_and_save(
     Args:
         scenario: as loaded.
         folder: exists.
-        watch: gives the observers.
+        observers_for: gives the observers.
         live: real time and ground stations.
         output: JSBSim's output directive.
+
+    Raises:
+        UserError: as `fly`; or the folder cannot be written.
     """
     path = folder / "flight.nc"
     flown = 0
     while True:
-        with watch(scenario.model) as observers:
+        with observers_for(scenario.model) as observers:
             if live is None:
                 flight = fly(scenario, observers, output=output)
             else:

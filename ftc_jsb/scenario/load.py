@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.resources import shipped
-from ftc_jsb.scenario.keys import key_parts
+from ftc_jsb.scenario.keys import with_value
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.typed_file import first_problem
 
@@ -63,7 +63,7 @@ def load_scenario(name: str, overrides: Sequence[str] = ()) -> Scenario:
         return scenario
     values = tomllib.loads(text)
     for override in overrides:
-        _override(values, override)
+        values = _overridden(values, override)
     try:
         return _validated(values)
     except ValidationError as error:
@@ -96,7 +96,7 @@ def _validated(values: dict[str, Any]) -> Scenario:
     return Scenario.model_validate_json(json.dumps(values, default=str), strict=True)
 
 
-def _override(values: dict[str, Any], override: str) -> None:
+def _overridden(values: dict[str, Any], override: str) -> dict[str, Any]:
     key, equals, text = override.partition("=")
     if not equals or not key.strip():
         raise ScenarioError(f"--set {override!r}: expected KEY=VALUE, such as loop.trim_filter=20")
@@ -106,22 +106,7 @@ def _override(values: dict[str, Any], override: str) -> None:
         value = text.strip()
     except (ValueError, RecursionError) as error:
         raise ScenarioError(f"--set {key.strip()}: cannot be read: {error}") from None
-    parts = key_parts(key)
-    place: Any = values
-    for index, part in enumerate(parts):
-        before = ".".join(map(str, parts[:index]))
-        if isinstance(place, list) and not (isinstance(part, int) and part < len(place)):
-            raise ScenarioError(
-                f"--set {key}: {before} has {len(place)} entries; "
-                f"{str(part)!r} is none of 0 to {len(place) - 1}"
-            )
-        selector = part if isinstance(place, list) else str(part)
-        if index == len(parts) - 1:
-            place[selector] = value
-            return
-        if isinstance(place, dict):
-            place.setdefault(selector, {})
-        place = place[selector]
-        if not isinstance(place, dict | list):
-            so_far = ".".join(map(str, parts[: index + 1]))
-            raise ScenarioError(f"--set {key}: {so_far} is a value, not a section")
+    try:
+        return with_value(values, key, value)
+    except ScenarioError as error:
+        raise ScenarioError(f"--set {key}: {error}") from None

@@ -22,7 +22,7 @@ from ftc_jsb.recording.commands import (
     SetHeading,
     SetLoop,
 )
-from ftc_jsb.scenario.keys import key_parts
+from ftc_jsb.scenario.keys import value_at, with_value
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import impossible
@@ -136,22 +136,10 @@ def changed_loop(loop: Loop, command: SetLoop) -> Loop:
     Raises:
         ScenarioError: there is no such number, or the value is out of its range.
     """
-    values: dict[str, Any] = loop.model_dump()
-    place: Any = values
-    *way, last = key_parts(command.key)
+    values = loop.model_dump()
+    if loop.name not in BUILT_IN or type(value_at(values, command.key)) is not float:
+        raise ScenarioError(f"loop.{command.key}: the loop {loop.name!r} has no such number")
     try:
-        for part in way:
-            inside = place[part]
-            place[part] = list(inside) if isinstance(inside, tuple) else inside
-            place = place[part]
-        if loop.name not in BUILT_IN or type(place[last]) is not float:
-            raise TypeError
-        place[last] = command.value
-    except (TypeError, KeyError, IndexError):
-        raise ScenarioError(
-            f"loop.{command.key}: the loop {loop.name!r} has no such number"
-        ) from None
-    try:
-        return Loop.model_validate(values)
+        return Loop.model_validate(with_value(values, command.key, command.value))
     except ValidationError as error:
         raise ScenarioError(f"loop.{first_problem(error, Loop)}") from None

@@ -11,7 +11,7 @@ import pytest
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.export.aircraft_folder import export
 from ftc_jsb.units import FOOT, POUND_FORCE
-from tests.test_cli import assert_refused, run
+from tests.cli.command import assert_refused, run
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,7 @@ from ftc_jsb.recording.netcdf import load
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.simulation.pacing import Pacer
-from tests.test_cli import assert_refused, run
+from tests.cli.command import assert_refused, run
 
 # FGNetFDM version 24, network byte order: version and padding; longitude, latitude [rad], altitude [m];
 # agl, phi, theta, psi, alpha, beta [rad] as floats.

@@ -10,7 +10,7 @@ from ftc_jsb.margins.input_perturbation import Injection
 from ftc_jsb.margins.measure import channel_margins
 from ftc_jsb.margins.perturbed_flight import perturbed_flight
 from ftc_jsb.simulation.fly import fly
-from tests.test_cli import assert_refused, run
+from tests.cli.command import assert_refused, run
 
 
 def test_both_ways_agree_on_the_f16():

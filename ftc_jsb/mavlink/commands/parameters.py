@@ -8,7 +8,7 @@ from ftc_jsb.control.records import NO_ESTIMATOR
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.built_in import BUILT_IN, tuned_by_sensors
 from ftc_jsb.recording.commands import SetLoop
-from ftc_jsb.scenario.keys import key_parts, value_at
+from ftc_jsb.scenario.keys import value_at
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.simulation.steering import changed_loop
 
@@ -148,7 +148,7 @@ class Parameters:
 
 def _loop_number(loop: Loop, key: str) -> float:
     """A number of [loop], such as `gains[0]` or `detector.margin`."""
-    return float(value_at(loop.model_dump(), key_parts(key)))
+    return float(value_at(loop.model_dump(), key))
 
 
 def float32_as_meant(value: float) -> float:

@@ -1,0 +1,31 @@
+"""Every command refuses bad usage in one sentence, by exit code 2."""
+
+import pytest
+
+from tests.cli.command import assert_refused, run
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["fly", "papre"], "no scenario 'papre'"),
+        (["fly", "none.toml"], "none.toml: no such file"),
+        (["fly", "paper", "--set", "initial.airspeed=-5"], "initial.airspeed"),
+        (["fly", "paper", "--set", "wings=2"], "unknown key 'wings'"),
+        (["fly", "paper", "--loop", "ftv"], "no loop 'ftv'"),
+        (["fly", "paper", "--model", "glider"], "'glider' is not one of"),
+        (["fly", "paper", "--model", "jsbsim", "--set", "aircraft.name=f99"], "no aircraft 'f99'"),
+        (["compare", "paper", "--set", "compare.loops=['ftv']"], "no loop 'ftv'"),
+        (["report", "none.nc"], "none.nc: no such file"),
+        (["figures", "none.nc"], "none.nc: no such file"),
+        (["convert", "none.nc", "--to", "csv"], "none.nc: no such file"),
+        (["identify", "f99"], "no aircraft 'f99'"),
+        (["check", "paper", "--set", "loop.rate=0"], "loop.rate"),
+        (["fly"], "Missing argument 'SCENARIO'"),
+        (["soar"], "No such command 'soar'"),
+    ],
+    ids=" ".join,
+)
+def test_bad_usage_is_one_sentence(arguments, says, tmp_path):
+    assert_refused(run(*arguments, cwd=tmp_path), says)
+    assert not list(tmp_path.iterdir())  # not even an empty folder
