@@ -5,13 +5,16 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 STATIONS := $(VENV)/.stations
 
-.PHONY: demo test bench validate hostile inner-loops lint format golden clean
+.PHONY: demo test coverage stations-full bench validate hostile inner-loops lint format golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
 
 test: lint $(STATIONS)  ## Every check
 	$(BIN)/pytest -n 2
+
+stations-full: $(READY)  ## MAVProxy with its maps, 0.75 GB more
+	$(BIN)/python -m pip install --quiet --editable ".[dev,stations-full]" --constraint constraints.txt
 
 bench: $(READY)  ## Cost of steps, flights and commands, against the targets
 	$(BIN)/ftc-jsb bench
@@ -46,9 +49,11 @@ $(READY): pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --editable ".[dev]" --constraint constraints.txt
 	touch $@
 
+# MAVProxy's own requirements include its maps' vtk and opencv; what it needs besides is in the extra.
 $(STATIONS): $(READY)
 	$(BIN)/python -m pip install --quiet --editable ".[dev,stations]" --constraint constraints.txt
+	$(BIN)/python -m pip install --quiet --no-deps mavproxy --constraint constraints.txt
 	touch $@
 
 clean:
-	rm -rf $(VENV) build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) build dist .coverage .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

@@ -148,17 +148,11 @@ def _interpreted(function: Kernel) -> Kernel:
     return cast(Kernel, run)
 
 
-class _Record(np.void):
+class _Record(np.void):  # type: ignore[misc]  # final in the stubs alone
     """An element of a structured array whose fields are attributes; NumPy's own is slower."""
 
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self[name]
-        except ValueError as error:
-            raise AttributeError(name) from error
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        self[name] = value
+    __getattr__ = np.void.__getitem__
+    __setattr__ = np.void.__setitem__
 
 
 def _with_attributes(value: Any) -> Any:

@@ -131,8 +131,8 @@ def test_kernel_that_fails_leaves_the_next_one_the_outermost(switched_off):
     assert plain(Bundle(rows(), 2.0), 0) == 6.0
 
 
-def test_field_that_is_none_is_an_attribute_error(switched_off):
-    with pytest.raises(AttributeError, match="sped"):
+def test_field_that_is_none_is_refused(switched_off):
+    with pytest.raises(ValueError, match="sped"):
         compiled(lambda row: row.sped)(rows()[0])
 
 
