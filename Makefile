@@ -5,13 +5,29 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 STATIONS := $(VENV)/.stations
 
-.PHONY: demo test bench validate hostile inner-loops lint format golden clean
+.PHONY: demo test coverage stations-full bench validate hostile inner-loops lint format golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
 
 test: lint $(STATIONS)  ## Every check
 	$(BIN)/pytest -n 2
+
+# Without the compiler a flight takes some hundred times as long: tests that fly long or often are left out,
+# and tests/conftest.py skips long flights of the others.
+FLY_LONG := analysis/test_consistency.py bench benchmarks control/test_robust.py disturbance/test_sensors.py \
+	disturbance/test_wind.py export flightgear identify inner_loop_design margins mavlink/test_events.py \
+	mavlink/test_failures.py mavlink/test_hostile.py mavlink/test_live.py mavlink/test_mavproxy.py \
+	mavlink/test_mavsdk.py mavlink/test_tlog.py mavlink/test_two_vehicles.py point_mass/test_plant.py \
+	regression report/test_browser.py report/test_figures.py simulation/test_batch.py simulation/test_commands.py \
+	simulation/test_fly.py simulation/test_pacing.py six_dof/test_faults.py theory/test_joint_filter.py
+FLY_LONG_TESTS := airspeed_is_kept or own_loop_flies or set_points_by_command
+
+coverage: $(READY)  ## Lines of ftc_jsb that tests run, kernels included: the compiler is switched off
+	NUMBA_DISABLE_JIT=1 $(BIN)/pytest -n 2 --cov --cov-report=term $(FLY_LONG:%=--ignore=tests/%) -k "not ($(FLY_LONG_TESTS))"
+
+stations-full: $(READY)  ## MAVProxy with its maps, 0.75 GB more
+	$(BIN)/python -m pip install --quiet --editable ".[dev,stations-full]" --constraint constraints.txt
 
 bench: $(READY)  ## Cost of steps, flights and commands, against the targets
 	$(BIN)/ftc-jsb bench
@@ -46,9 +62,11 @@ $(READY): pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --editable ".[dev]" --constraint constraints.txt
 	touch $@
 
+# MAVProxy's own requirements include its maps' vtk and opencv; what it needs besides is in the extra.
 $(STATIONS): $(READY)
 	$(BIN)/python -m pip install --quiet --editable ".[dev,stations]" --constraint constraints.txt
+	$(BIN)/python -m pip install --quiet --no-deps mavproxy --constraint constraints.txt
 	touch $@
 
 clean:
-	rm -rf $(VENV) build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) build dist .coverage* .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

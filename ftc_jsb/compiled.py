@@ -4,16 +4,21 @@ Numba's own cache only notices a change in the file that defines a kernel, not i
 calls, and it wants to write beside the source. Both are wrong for an installed program, so the
 cache lives in the user's cache folder, for each module in a sub-folder named after the source of all
 that its kernels can be made from.
+
+With Numba's compiler switched off (`NUMBA_DISABLE_JIT=1`, as `make coverage` has it) kernels run as
+plain Python, slower by some hundred times, so that a tracer sees their lines.
 """
 
 import hashlib
 import tempfile
+import threading
 from collections.abc import Callable
-from functools import cache
+from functools import cache, wraps
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
+import numpy as np
 import platformdirs
 
 from ftc_jsb.sources import source_digest
@@ -51,8 +56,8 @@ def _temporary() -> Path:
 
 
 def is_first_run(module: str) -> bool:
-    """Whether the kernels of a module, as its source is now, have not been compiled here yet."""
-    return not any(kernel_cache(module).iterdir())
+    """Whether the kernels of a module, as its source is now, have yet to be compiled here."""
+    return not _switched_off() and not any(kernel_cache(module).iterdir())
 
 
 def compiled(function: Kernel) -> Kernel:
@@ -72,19 +77,25 @@ def inlined(function: Kernel) -> Kernel:
     return _cached(function, forceinline=True)
 
 
+def compiled_in_memory(function: Kernel) -> Kernel:
+    """As `compiled`, without the disk: for kernels that are closures over other kernels."""
+    return _jitted(function)
+
+
 def _cached(function: Kernel, **options: Any) -> Kernel:
     config: Any = numba.config
     previous = config.CACHE_DIR
     config.CACHE_DIR = str(kernel_cache(function.__module__))
     try:
-        return cast(Kernel, numba.njit(cache=True, error_model="numpy", **options)(function))
+        return _jitted(function, cache=True, **options)
     finally:
         config.CACHE_DIR = previous
 
 
-def compiled_in_memory(function: Kernel) -> Kernel:
-    """As `compiled`, without the disk: for kernels that are closures over other kernels."""
-    return cast(Kernel, numba.njit(error_model="numpy")(function))
+def _jitted(function: Kernel, **options: Any) -> Kernel:
+    if _switched_off():
+        return _interpreted(function)
+    return cast(Kernel, numba.njit(error_model="numpy", **options)(function))
 
 
 def direct(kernel: Callable[..., Any], *example: Any) -> Callable[..., Any]:
@@ -93,7 +104,80 @@ def direct(kernel: Callable[..., Any], *example: Any) -> Callable[..., Any]:
     Skips Numba's type dispatch: 0.1 µs a call in place of 0.4 µs with structured arrays. The
     caller must pass arguments of the same types ever after.
     """
+    if _switched_off():
+        return kernel
     dispatcher = cast(Any, kernel)
     signature = tuple(map(cast(Any, numba.typeof), example))
     dispatcher.compile(signature)
     return cast(Callable[..., Any], dispatcher.overloads[signature].entry_point)
+
+
+def _switched_off() -> bool:
+    """Whether Numba has been told to compile nothing."""
+    return bool(cast(Any, numba.config).DISABLE_JIT)
+
+
+class _Interpreter(threading.local):
+    """Whether a kernel is running in this thread."""
+
+    running = False
+
+
+_INTERPRETER = _Interpreter()
+
+
+def _interpreted(function: Kernel) -> Kernel:
+    """`function` as plain Python that takes what the compiled kernel takes.
+
+    The outermost kernel hands on its structured arrays with fields as attributes, which Numba has
+    and NumPy has not, and divides by zero without a warning, as the compiled kernel does.
+    """
+
+    @wraps(function)
+    def run(*arguments: Any, **named: Any) -> Any:
+        if _INTERPRETER.running:
+            return function(*arguments, **named)
+        _INTERPRETER.running = True
+        try:
+            with np.errstate(all="ignore"):
+                given = {name: _with_attributes(value) for name, value in named.items()}
+                return function(*map(_with_attributes, arguments), **given)
+        finally:
+            _INTERPRETER.running = False
+
+    return cast(Kernel, run)
+
+
+class _Record(np.void):  # type: ignore[misc]  # final in the stubs alone
+    """An element of a structured array whose fields are attributes; NumPy's own is slower."""
+
+    __getattr__ = np.void.__getitem__
+    __setattr__ = np.void.__setitem__
+
+
+def _with_attributes(value: Any) -> Any:
+    """A view of a structured array or of a tuple of them, whose elements are `_Record`."""
+    if isinstance(value, np.ndarray | np.void) and value.dtype.names is not None:
+        return value.view(_record_type(value.dtype))
+    if isinstance(value, tuple):
+        parts = map(_with_attributes, value)
+        return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
+    return value
+
+
+@cache
+def _record_type(plain: np.dtype[Any]) -> np.dtype[Any]:
+    """The same layout, with `_Record` for every structure in it."""
+    if plain.subdtype is not None:
+        element, shape = plain.subdtype
+        return np.dtype((_record_type(element), shape))
+    if plain.fields is None:
+        return plain
+    places = list(plain.fields.values())
+    layout = {
+        "names": list(plain.fields),
+        "formats": [_record_type(place[0]) for place in places],
+        "offsets": [place[1] for place in places],
+        "itemsize": plain.itemsize,
+    }
+    return np.dtype((_Record, layout))

@@ -1,6 +1,7 @@
 """Flights that many tests look at are flown once a process."""
 
 import functools
+import os
 from collections.abc import Callable
 
 import pytest
@@ -16,6 +17,9 @@ settings.load_profile("ftc-jsb")
 
 Flown = Callable[..., Flight]
 
+UNCOMPILED = os.environ.get("NUMBA_DISABLE_JIT") == "1"  # `make coverage`
+LONGEST_UNCOMPILED = 25.0  # [s] of flight: about half a minute of waiting
+
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
@@ -27,7 +31,10 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @functools.cache
 def _fly(scenario: str, overrides: tuple[str, ...]) -> Flight:
-    return fly(load_scenario(scenario, overrides))
+    loaded = load_scenario(scenario, overrides)
+    if UNCOMPILED and loaded.duration > LONGEST_UNCOMPILED:
+        pytest.skip("a long flight, with the compiler switched off")
+    return fly(loaded)
 
 
 @pytest.fixture(scope="session")

@@ -1,7 +1,8 @@
 """The scenario file, typed and bounded: every key, its unit and its default.
 
-Angles are in degrees in the file (`_deg`) and in radians everywhere else; `reference.py`,
-`faults.py` and the records that kernels read convert.
+Angles are in degrees here as in the file (`_deg`), and in radians in every kernel. What a section
+becomes is converted where it is made: references in `reference.py`, sizes of sensor faults in
+`faults.py`, wind and sensors in `disturbance/`, the initial condition in the plants.
 """
 
 from typing import Annotated, Literal, Self

@@ -1,4 +1,4 @@
-"""The registry, the five built-in loops against each other, and loops of a user's own."""
+"""The registry, the built-in loops against each other, and loops of a user's own."""
 
 from pathlib import Path
 
