@@ -107,9 +107,26 @@ def direct(kernel: Callable[..., Any], *example: Any) -> Callable[..., Any]:
     if _switched_off():
         return kernel
     dispatcher = cast(Any, kernel)
-    signature = tuple(map(cast(Any, numba.typeof), example))
+    signature = tuple(map(_type_of, example))
     dispatcher.compile(signature)
     return cast(Callable[..., Any], dispatcher.overloads[signature].entry_point)
+
+
+def _type_of(value: Any) -> Any:
+    """Numba's type of a kernel's argument; of structured arrays, which it makes anew each time, once."""
+    if isinstance(value, tuple):
+        types = [_type_of(part) for part in value]
+        return cast(Any, numba.types.BaseTuple).from_types(types, type(value))
+    if isinstance(value, np.ndarray) and value.dtype.names is not None:
+        contiguous = value.flags.c_contiguous and value.flags.writeable and value.flags.aligned
+        if contiguous:
+            return _type_of_records(value.dtype, value.ndim)
+    return cast(Any, numba.typeof)(value)
+
+
+@cache
+def _type_of_records(dtype: np.dtype[Any], dimensions: int) -> Any:
+    return cast(Any, numba.typeof)(np.zeros((1,) * dimensions, dtype))
 
 
 def _switched_off() -> bool:
