@@ -33,6 +33,7 @@ def test_recording_given_twice_is_two_flights(recordings):
 def test_recording_that_cannot_be_read_stops_no_other(recordings, tmp_path):
     flights, broken = labelled_recordings([tmp_path / "none.nc", recordings[2]])
     assert list(flights) == ["paper-no-ftc"]
-    assert broken == [f"{tmp_path / 'none.nc'}: no such file; expected a recording (flight.nc)"]
+    assert len(broken) == 1
+    assert broken[0].startswith(f"{tmp_path / 'none.nc'}: no such file")
     with pytest.raises(RecordingError, match=r"none\.nc: no such file; .*nor\.nc: no such file"):
         labelled_recordings([tmp_path / "none.nc", tmp_path / "nor.nc"])

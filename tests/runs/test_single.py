@@ -32,7 +32,7 @@ def test_flight_is_saved_with_its_metrics(tmp_path):
     assert labels == ["paper"]
     assert result.label == "paper-ftc"
     assert json.loads((tmp_path / "metrics.json").read_text()) == result.document
-    assert load(tmp_path / "flight.nc").record.size == scenario.samples + 1
+    assert load(tmp_path / "flight.nc").record.size == scenario.samples + 1  # trim included
 
 
 def test_flight_that_is_flown_again_leaves_the_earlier_one_beside_it(tmp_path):
