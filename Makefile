@@ -21,7 +21,7 @@ FLY_LONG := analysis/test_consistency.py bench benchmarks control/test_robust.py
 	mavlink/test_mavsdk.py mavlink/test_tlog.py mavlink/test_two_vehicles.py point_mass/test_plant.py \
 	regression report/page/test_browser.py report/test_figures.py simulation/test_batch.py simulation/test_commands.py \
 	simulation/test_fly.py simulation/test_pacing.py six_dof/test_faults.py theory/test_joint_filter.py
-FLY_LONG_TESTS := airspeed_is_kept or own_loop_flies or set_points_by_command
+FLY_LONG_TESTS := airspeed_is_kept or ctrl_c_saves or own_loop_flies or set_points_by_command
 
 coverage: $(READY)  ## Lines of ftc_jsb that tests run, kernels included: the compiler is switched off
 	NUMBA_DISABLE_JIT=1 $(BIN)/pytest -n 2 --cov --cov-report=term $(FLY_LONG:%=--ignore=tests/%) -k "not ($(FLY_LONG_TESTS))"
