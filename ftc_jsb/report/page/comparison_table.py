@@ -105,11 +105,11 @@ def _cell(
 def _best_and_worst(
     metric: ShownMetric, flights: Flights, metrics: dict[str, Any]
 ) -> dict[str, str]:
-    """Best and worst of each scenario, among completed flights, where they differ as shown."""
+    """Best and worst of each scenario and model, among completed flights, where they differ as shown."""
     standing: dict[str, str] = {}
     if not metric.judged:
         return standing
-    for members in by_scenario(flights).values():
+    for members in _by_scenario_and_model(flights):
         values = {
             label: metrics[label][metric.key]
             for label in members
@@ -122,3 +122,12 @@ def _best_and_worst(
         standing |= {label: "best" for label, text in texts.items() if text == least}
         standing |= {label: "worst" for label, text in texts.items() if text == most}
     return standing
+
+
+def _by_scenario_and_model(flights: Flights) -> list[list[str]]:
+    """Labels of flights that may be ranked: models are different aircraft, and never ranked."""
+    groups: dict[tuple[str, str], list[str]] = {}
+    for name, members in by_scenario(flights).items():
+        for label, flight in members.items():
+            groups.setdefault((name, flight.scenario.model), []).append(label)
+    return list(groups.values())

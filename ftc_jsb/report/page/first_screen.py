@@ -119,11 +119,11 @@ def _helped(index: int, members: Flights, document: Document) -> Answer:
     place = ("ftc_helped", index)
     kind = {HELPED: GOOD, NO_DIFFERENCE: HALF, HURT: BAD}[pair["answer"]]
     scenario = members[pair["with_ftc"]].scenario
-    sentence = Markup("airspeed RMSE {} m/s with {}, {} m/s with {} ({})").format(
-        linked_number(document, (*place, "rmse_airspeed_with_mps"), 3),
+    sentence = Markup("airspeed RMSE: {} {} m/s, {} {} m/s ({})").format(
         loop_title(scenario),
-        linked_number(document, (*place, "rmse_airspeed_without_mps"), 2),
+        linked_number(document, (*place, "rmse_airspeed_with_mps"), 3),
         loop_title(members[pair["without_ftc"]].scenario),
+        linked_number(document, (*place, "rmse_airspeed_without_mps"), 2),
         linked_verdict(document, pair["without_ftc"]),
     )
     return Answer(kind, pair["answer"].capitalize(), model_title(scenario), sentence)
