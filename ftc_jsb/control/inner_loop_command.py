@@ -1,18 +1,12 @@
-"""From the law's demand to the inner loop's command: lead against its lag, lift for the bank there is."""
-
-import math
+"""From the law's demand to the inner loop's command: lead against its lag."""
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.limits import Limits
-from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
-
-SMALLEST_UPRIGHT = 0.3  # cosine of a bank of 73 deg: beyond, lift hardly holds the aircraft up
+from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, Row
 
 
 @compiled
-def command_inner_loop(
-    s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, limits: Limits
-) -> None:
+def command_inner_loop(s: LoopSettings, x: LoopState, row: Row, limits: Limits) -> None:
     """Write the commands of thrust, load factor and bank to the row.
 
     Load factor and bank lead by the lag that the inner loop was identified with; the rates come from a
@@ -24,7 +18,7 @@ def command_inner_loop(
     row.thrust_cmd = x.demand[0]
     load_factor_rate = s.lead_filter * (x.demand[1] - lag.slow[0])
     bank_rate = s.lead_filter * (x.demand[2] - lag.slow[1])
-    with_lead = _load_factor_for_bank(s, m, x) + s.lead[0] * load_factor_rate
+    with_lead = x.demand[1] + s.lead[0] * load_factor_rate
     row.load_factor_cmd = min(max(with_lead, limits.load_factor_min), limits.load_factor_max)
     row.bank_angle_cmd = x.demand[2] + s.lead[1] * bank_rate
     if s.upright == 1:
@@ -32,19 +26,3 @@ def command_inner_loop(
     lag.command[0], lag.command[1] = row.load_factor_cmd, row.bank_angle_cmd
     for axis in range(2):
         lag.slow[axis] += s.lead_share * (x.demand[1 + axis] - lag.slow[axis])
-
-
-@compiled
-def _load_factor_for_bank(s: LoopSettings, m: ModelRecord, x: LoopState) -> float:
-    """Load factor command while bank is still on its way to its command.
-
-    The law pairs load factor and bank; load factor comes sooner, and until bank is there it lifts
-    where it should turn. n cos(bank demanded) / cos(bank of a healthy inner loop) keeps the lift
-    against gravity as demanded; `bank_share` says how much of the way to go there, since what
-    serves the path is taken from the turn. Nothing where bank follows at once (the paper's aircraft).
-    """
-    demand = float(x.demand[1])
-    upright = math.cos(x.inner_loop.response[1, 0])
-    if s.upright == 1 or m.response_frequency[1] == 0.0 or upright < SMALLEST_UPRIGHT:
-        return demand
-    return float(demand + s.bank_share * (demand * math.cos(x.demand[2]) / upright - demand))

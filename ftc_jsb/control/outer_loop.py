@@ -63,7 +63,7 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
     demand = demand_of_law(s, x, at, row, state, effectiveness, wanted, limits)
     limit_demand(s, x, at, row, demand, limits)
     integrate_errors(s, x, row, errors)
-    command_inner_loop(s, m, x, row, limits)
+    command_inner_loop(s, x, row, limits)
     advance_trim_input(s, x, row)
 
 

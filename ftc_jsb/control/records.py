@@ -20,7 +20,7 @@ LOOP_SETTINGS = np.dtype(
         ("integral_gains", float, (3,)),  # [1/s^2]
         ("track_path", np.int64),  # 1: y is the position, of index 2
         ("path_gains", float, (2,)),  # of position [1/s^2] and velocity errors [1/s]
-        ("bank_share", float),  # of the way to the load factor for the bank that is there
+        ("bank_share", float),  # until bank has come: 0 path and turn alike, 1 path alone
         ("drag_correction", np.int64),  # 1: the law pays for drag that is measured beyond the polar
         ("upright", np.int64),  # 1: bank below 90 deg, load factor for the bank that is there
         ("speed_first", np.int64),  # 1: climb and turn are given up before airspeed

@@ -65,6 +65,8 @@ BUILT_IN = {
     ),
     "path": Kind("as ftc, tracking position: the path that the references make", path=True),
 }
+SLOW_ROLL = 1.5  # [rad/s]
+PATH_FIRST = 0.75  # share of an aircraft that rolls fast
 ROBUST_LEAD_FILTER = 8.0  # [1/s]: a lead of 0.2 to 0.3 s makes noise 3 times as large, not 15
 
 
@@ -106,7 +108,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["track_path"] = kind.path
     s["path_gains"] = loop.path_gains
     if kind.protected:
-        s["bank_share"] = loop.bank_share
+        s["bank_share"] = bank_share(loop, model)
         s["drag_correction"] = loop.drag_correction
         s["speed_first"] = loop.priority == "speed"
         s["upright"] = model[0]["response_frequency"][1] > 0.0  # the paper's aircraft has no lag
@@ -144,6 +146,21 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["detector_sigmas"] = detector.sigmas
     s["detector_hold"] = detector.hold
     return settings
+
+
+def bank_share(loop: Loop, model: npt.NDArray[Any]) -> float:
+    """How far the load factor serves the path alone until bank has come.
+
+    An aircraft that rolls slowly would lose more heading by waiting than it gains on its path.
+
+    Args:
+        loop: its setting comes first.
+        model: (1,) MODEL; its roll rate decides where there is none.
+    """
+    if loop.bank_share is not None:
+        return loop.bank_share
+    rate = model[0]["bank_rate_max"]  # [rad/s]; 0 = no limit
+    return 0.0 if 0.0 < rate < SLOW_ROLL else PATH_FIRST
 
 
 def tuned_by_sensors(loop: Loop) -> bool:

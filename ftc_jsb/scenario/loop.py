@@ -61,7 +61,8 @@ class Loop(Section):
     integral_gains: tuple[_Gain, _Gain, _Gain] = (0.25, 0.25, 0.25)  # 1/s2, loop `integral` only
     path_gains: tuple[_Gain, _Gain] = (0.25, 1.0)  # 1/s2 and 1/s, loop `path` only
     trim_filter: float = Field(50.0, ge=0.5, le=1000.0)  # zeta of (10), 1/s
-    bank_share: float = Field(0.75, ge=0.0, le=1.0)  # until bank has come: 0 path and turn, 1 path
+    # Load factor until bank has come: 0 path and turn alike, 1 path alone; by default by the roll rate
+    bank_share: float | None = Field(None, ge=0.0, le=1.0)
     drag_correction: bool = True  # the law pays for drag that is measured beyond its polar
     priority: Literal["speed", "none"] = "speed"  # where thrust cannot pay for the manoeuvre
     effectiveness_floor: float = Field(0.05, ge=0.001, le=0.5)  # sigma

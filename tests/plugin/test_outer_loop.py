@@ -178,9 +178,9 @@ def test_bad_set_points_are_errors():
 
 
 def test_departure_is_told():
-    """Flown into the sea: the reason, not nan."""
+    """Flown into the sea, which the law alone does not refuse: the reason, not nan."""
     fdm = own_fdm()
-    loop = OuterLoop(fdm, "f16")
+    loop = OuterLoop(fdm, "f16", Loop(name="law"))
     loop.track(flight_path_angle=math.radians(-60.0))
     with pytest.raises(LoopError, match=r"departed at .* s: "):
         advance(fdm, loop, 60.0)
