@@ -11,6 +11,7 @@ from ftc_jsb.estimation.process import FILTER, OUTPUTS, Forcing, axes, propagate
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update
 from ftc_jsb.point_mass.model import at_condition
+from ftc_jsb.vocabulary.kernel_types import Vector
 
 Array = npt.NDArray[np.float64]
 BAND = 0.95
@@ -109,7 +110,7 @@ def _band(degrees: int, flights: int) -> tuple[float, float]:
 
 
 @compiled
-def _fly(case: Case, filters: Any, truth: Any, noise: _Noise, nees: Any, nis: Any) -> None:
+def _fly(case: Case, filters: Any, truth: Any, noise: _Noise, nees: Vector, nis: Vector) -> None:
     """One flight; adds its NEES and NIS to the sums."""
     f = filters[0]
     size = f.count

@@ -9,6 +9,7 @@ from ftc_jsb.compiled import compiled
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import at_condition, pressure_area
+from ftc_jsb.vocabulary.kernel_types import Records, Vector
 
 Array = npt.NDArray[np.float64]
 
@@ -29,7 +30,7 @@ def modelled_drag(model: npt.NDArray[Any], record: npt.NDArray[Any]) -> tuple[Ar
 
 
 @compiled
-def _fill(model: Any, record: Any, polar: Any, measured: Any) -> None:
+def _fill(model: Any, record: Records, polar: Vector, measured: Vector) -> None:
     m = model[0]
     for i in range(record.shape[0]):
         row = record[i]

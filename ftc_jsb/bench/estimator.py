@@ -20,13 +20,14 @@ from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.assembly import point_mass_of
 from ftc_jsb.simulation.fly import fly
+from ftc_jsb.vocabulary.kernel_types import Vector
 
 Array = npt.NDArray[np.float64]
 DT = 0.01  # [s]
 
 
 @compiled
-def _ukf_step(model: Any, settings: Any, filters: Any, u: Any, y: Any) -> None:
+def _ukf_step(model: Any, settings: Any, filters: Any, u: Vector, y: Vector) -> None:
     s, f = settings[0], filters[0]
     at = at_condition(model[0], y[0], 3048.0)
     forcing = Forcing(u[0], u[1], u[2], False, 0.0, 0.0)
@@ -35,7 +36,7 @@ def _ukf_step(model: Any, settings: Any, filters: Any, u: Any, y: Any) -> None:
 
 
 @compiled
-def _process(model: Any, filters: Any, u: Any, x: Any) -> Any:
+def _process(model: Any, filters: Any, u: Vector, x: Vector) -> Any:
     """F of (21), for the filters that are written in Python: they, too, get it compiled."""
     f = filters[0]
     forcing = Forcing(u[0], u[1], u[2], False, 0.0, 0.0)

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.path import acceleration
 from ftc_jsb.point_mass.dynamics import velocity
+from ftc_jsb.vocabulary.kernel_types import Records
 
 COMMAND_FILTER = np.dtype(
     [
@@ -78,7 +79,7 @@ def _exponential(matrix: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
 
 
 @compiled
-def reference_step(filters: Any, record: Any, i: int) -> None:
+def reference_step(filters: Any, record: Records, i: int) -> None:
     """Write the references of row `i` and advance the filter to row `i + 1`.
 
     Args:

@@ -8,14 +8,14 @@ law, which is linear about u_n, gets no steps; where thrust suffices it is zero.
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.law import Rates
 from ftc_jsb.control.limits import PathState
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import Condition
-from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, Row
+from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, Row, Vector
 
 GIVING_UP = 0.5  # [s], lag
 REGAINING = 2.0  # [s], lag: slower, since heading errors ask for more than they did before
@@ -84,7 +84,7 @@ def affordable(
 
 @compiled
 def give_up(
-    given_up: Any, target: tuple[float, float], path_ref: float, turn_per_g: float, dt: float
+    given_up: Vector, target: tuple[float, float], path_ref: float, turn_per_g: float, dt: float
 ) -> float:
     """Move what is given up towards a target of `affordable`; the rate of the path's part [rad/s].
 

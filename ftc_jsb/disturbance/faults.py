@@ -15,6 +15,7 @@ import numpy.typing as npt
 from ftc_jsb.compiled import compiled, direct
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.vocabulary.channels import CHANNELS, ENGINES, SURFACES
+from ftc_jsb.vocabulary.kernel_types import FaultRecords, Matrix, Vector
 from ftc_jsb.vocabulary.signals import SENSED
 
 TIME_TOLERANCE = 1e-9  # [s]: 0.1 x 3 counts as 0.3
@@ -101,7 +102,7 @@ def severity(fault: Any, time: float) -> float:
 
 
 @compiled
-def present(faults: Any, time: float, engines: int, columns: Any) -> None:
+def present(faults: FaultRecords, time: float, engines: int, columns: Vector) -> None:
     """What is faulty at one time.
 
     Losses of one target multiply. Of engines and surfaces the recording has the state besides; an
@@ -159,7 +160,7 @@ SCHEDULE: tuple[str, ...] = (
 
 
 @compiled
-def _scheduled(faults: Any, times: Any, engines: int, table: Any) -> None:
+def _scheduled(faults: FaultRecords, times: Vector, engines: int, table: Matrix) -> None:
     for i in range(times.size):
         present(faults, times[i], engines, table[i])
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.disturbance.noise import normal
+from ftc_jsb.vocabulary.kernel_types import Records, WindRecord
 
 GUSTS = 8  # capacity
 
@@ -33,7 +34,7 @@ WIND = np.dtype(
 
 
 @compiled
-def _deterministic(w: Any, axis: int, time: float, altitude: float) -> float:
+def _deterministic(w: WindRecord, axis: int, time: float, altitude: float) -> float:
     """Steady wind, shear and gusts along one axis [m/s]."""
     total = w.steady[axis]
     if axis < 2:
@@ -53,7 +54,7 @@ def _deterministic(w: Any, axis: int, time: float, altitude: float) -> float:
 
 
 @compiled
-def _dryden_step(w: Any, i: int, airspeed: float, dt: float) -> None:
+def _dryden_step(w: WindRecord, i: int, airspeed: float, dt: float) -> None:
     """Advance the Dryden filters by one sample, exact for white noise held over it.
 
     Along the path sigma sqrt(2 L/V) / (1 + L/V s); across and normal to it
@@ -75,7 +76,7 @@ def _dryden_step(w: Any, i: int, airspeed: float, dt: float) -> None:
 
 
 @compiled
-def wind_step(wind: Any, record: Any, i: int, dt: float) -> None:
+def wind_step(wind: Any, record: Records, i: int, dt: float) -> None:
     """Wind at the start of sample `i` and its rate over the sample.
 
     Args:

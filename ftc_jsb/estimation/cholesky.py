@@ -1,15 +1,15 @@
 """Cholesky factor and solution for the filters' small matrices, without allocation."""
 
 import math
-from typing import Any
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.vocabulary.kernel_types import Matrix, Vector
 
 PIVOT_FLOOR = 1e-14  # relative to the diagonal element: what rounding may have left of it
 
 
 @compiled
-def cholesky(matrix: Any, size: int, factor: Any) -> int:
+def cholesky(matrix: Matrix, size: int, factor: Matrix) -> int:
     """Lower factor L of the leading block of a symmetric `matrix`: L L^T = matrix.
 
     A pivot that rounding has driven below `PIVOT_FLOOR` of its diagonal element is held there, so
@@ -44,7 +44,7 @@ def cholesky(matrix: Any, size: int, factor: Any) -> int:
 
 
 @compiled
-def cholesky_solve(factor: Any, size: int, vector: Any) -> None:
+def cholesky_solve(factor: Matrix, size: int, vector: Vector) -> None:
     """Solve L L^T x = `vector` in place, L as made by `cholesky`."""
     for i in range(size):
         value = vector[i]

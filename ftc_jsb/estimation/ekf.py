@@ -4,11 +4,10 @@ The Jacobian of the discrete map is taken by central differences of the same `pr
 the equations of motion are not written a second time.
 """
 
-from typing import Any
-
 from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.estimation.process import Forcing, axes, propagate
 from ftc_jsb.point_mass.model import Condition
+from ftc_jsb.vocabulary.kernel_types import Filter, Vector
 
 RELATIVE_STEP = 1e-6  # of the state, or of 1: error of the Jacobian near 1e-9
 
@@ -21,7 +20,7 @@ def _difference(value: float) -> float:
 
 @compiled
 def predict_extended(
-    filter_state: Any, at: Condition, forcing: Forcing, process_noise: Any, dt: float
+    filter_state: Filter, at: Condition, forcing: Forcing, process_noise: Vector, dt: float
 ) -> None:
     """X = f(x, u), P = Phi P Phi^T + Q, in place; arguments as `ukf.predict_unscented`."""
     n = filter_state.count

@@ -6,10 +6,11 @@ n_a + kappa of the augmented vector. Arrays may be larger than what is in use, s
 fewer states than its record has room for needs no copies; nothing is allocated.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ftc_jsb.compiled import inlined
 from ftc_jsb.estimation.cholesky import cholesky
+from ftc_jsb.vocabulary.kernel_types import Matrix, Vector
 
 
 class Weights(NamedTuple):
@@ -33,7 +34,7 @@ def weights_of(size: int, spread: float) -> Weights:
 
 @inlined
 def draw_points(
-    mean: Any, covariance: Any, size: int, spread: float, factor: Any, points: Any
+    mean: Vector, covariance: Matrix, size: int, spread: float, factor: Matrix, points: Matrix
 ) -> None:
     """(26): the mean, and the mean plus and minus each column of the root of (n_a + kappa) P.
 
@@ -56,7 +57,7 @@ def draw_points(
 
 
 @inlined
-def mean_of(points: Any, weights: Weights, size: int, mean: Any) -> None:
+def mean_of(points: Matrix, weights: Weights, size: int, mean: Vector) -> None:
     """(28), and (32) for points of the output.
 
     It is formed as a mean of differences: no cancellation with a negative centre weight.
@@ -75,7 +76,9 @@ def mean_of(points: Any, weights: Weights, size: int, mean: Any) -> None:
 
 
 @inlined
-def covariance_of(points: Any, mean: Any, weights: Weights, size: int, covariance: Any) -> None:
+def covariance_of(
+    points: Matrix, mean: Vector, weights: Weights, size: int, covariance: Matrix
+) -> None:
     """(30), and P_yy of (33) for points of the output; the noise, Q or R, is not in it.
 
     Args:
@@ -96,7 +99,12 @@ def covariance_of(points: Any, mean: Any, weights: Weights, size: int, covarianc
 
 @inlined
 def cross_covariance_of(
-    points: Any, mean: Any, outputs: Any, output_mean: Any, weights: Weights, cross: Any
+    points: Matrix,
+    mean: Vector,
+    outputs: Matrix,
+    output_mean: Vector,
+    weights: Weights,
+    cross: Matrix,
 ) -> None:
     """P_xy of (33).
 
@@ -118,7 +126,7 @@ def cross_covariance_of(
 
 
 @inlined
-def add_noise(covariance: Any, noise: Any, size: int) -> None:
+def add_noise(covariance: Matrix, noise: Vector, size: int) -> None:
     """Q of (30), or R of (33): what the noise part of the augmented points adds, which is white.
 
     Args:

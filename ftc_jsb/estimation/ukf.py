@@ -6,8 +6,6 @@ add Q in (30) and R in (33). The spread n_a + kappa, 3 by the advice below (26),
 and the centre weight becomes W_0 = 1 - n / (n_a + kappa): -1/3 for four states.
 """
 
-from typing import Any
-
 from ftc_jsb.compiled import compiled
 from ftc_jsb.estimation.process import Forcing, axes, propagate
 from ftc_jsb.estimation.sigma_points import (
@@ -18,14 +16,15 @@ from ftc_jsb.estimation.sigma_points import (
     weights_of,
 )
 from ftc_jsb.point_mass.model import Condition
+from ftc_jsb.vocabulary.kernel_types import Filter, Vector
 
 
 @compiled
 def predict_unscented(
-    filter_state: Any,
+    filter_state: Filter,
     at: Condition,
     forcing: Forcing,
-    process_noise: Any,
+    process_noise: Vector,
     spread: float,
     dt: float,
 ) -> None:

@@ -7,18 +7,18 @@ under rounding (Bucy and Joseph 1968).
 """
 
 import math
-from typing import Any
 
 from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.estimation.cholesky import cholesky, cholesky_solve
 from ftc_jsb.estimation.process import OUTPUTS
+from ftc_jsb.vocabulary.kernel_types import Filter, Vector
 
 
 @compiled
 def update(
-    filter_state: Any,
-    measurement: Any,
-    measurement_noise: Any,
+    filter_state: Filter,
+    measurement: Vector,
+    measurement_noise: Vector,
     gate: float,
     gate_patience: int,
     floor: float,
@@ -45,7 +45,7 @@ def update(
 
 
 @inlined
-def _innovate(filter_state: Any, measurement: Any, measurement_noise: Any) -> bool:
+def _innovate(filter_state: Filter, measurement: Vector, measurement_noise: Vector) -> bool:
     """Innovation y - y^ of (32), P_yy of (33), its factor, and the normalised innovation squared.
 
     Returns:
@@ -73,7 +73,7 @@ def _innovate(filter_state: Any, measurement: Any, measurement_noise: Any) -> bo
 
 
 @inlined
-def _passes_gate(filter_state: Any, finite: bool, gate: float, gate_patience: int) -> bool:
+def _passes_gate(filter_state: Filter, finite: bool, gate: float, gate_patience: int) -> bool:
     """Whether the innovation is to be corrected by; counts refusals in a row."""
     if gate > 0.0 and filter_state.nis > gate and filter_state.rejected < gate_patience:
         filter_state.rejected += 1
@@ -84,7 +84,7 @@ def _passes_gate(filter_state: Any, finite: bool, gate: float, gate_patience: in
 
 
 @inlined
-def _correct(filter_state: Any, measurement_noise: Any) -> None:
+def _correct(filter_state: Filter, measurement_noise: Vector) -> None:
     """(34), the covariance in Joseph's form; the factor of P_yy is that of `_innovate`."""
     n = filter_state.count
     estimate = filter_state.estimate
@@ -115,7 +115,7 @@ def _correct(filter_state: Any, measurement_noise: Any) -> None:
 
 
 @inlined
-def _bound(filter_state: Any, floor: float) -> None:
+def _bound(filter_state: Filter, floor: float) -> None:
     """Keep the effectiveness estimates in [floor, 1]; 0 = not at all."""
     if floor > 0.0:
         for i in range(OUTPUTS, filter_state.count):
@@ -124,7 +124,7 @@ def _bound(filter_state: Any, floor: float) -> None:
 
 @compiled
 def update_by_state(
-    filter_state: Any, place: int, slope: float, innovation: float, noise: float, floor: float
+    filter_state: Filter, place: int, slope: float, innovation: float, noise: float, floor: float
 ) -> float:
     """Correct by one number that depends on one state only: y = slope x_place + const + noise.
 

@@ -8,6 +8,7 @@ import numpy.typing as npt
 from ftc_jsb.compiled import compiled
 from ftc_jsb.identify.regression import Array
 from ftc_jsb.point_mass.response import lag_step
+from ftc_jsb.vocabulary.kernel_types import Vector
 
 
 class Lag(NamedTuple):
@@ -25,7 +26,7 @@ UNLIMITED = 0.0
 
 @compiled
 def second_order(
-    command: Any,
+    command: Vector,
     frequency: float,
     damping: float,
     rate_max: float,

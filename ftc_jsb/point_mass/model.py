@@ -10,6 +10,7 @@ import numpy as np
 
 from ftc_jsb.compiled import compiled, inlined
 from ftc_jsb.point_mass.atmosphere import standard_atmosphere
+from ftc_jsb.vocabulary.kernel_types import Matrix, Vector
 
 MACH_KNOTS = 40
 ALTITUDE_KNOTS = 12
@@ -96,7 +97,7 @@ class Condition(NamedTuple):
 
 
 @compiled
-def bracket(knots: Any, count: int, value: float) -> tuple[int, float]:
+def bracket(knots: Vector, count: int, value: float) -> tuple[int, float]:
     """Interval of sorted `knots[:count]` that holds `value`, and the fraction along it, clamped."""
     if count < 2 or value <= knots[0]:
         return 0, 0.0
@@ -109,7 +110,7 @@ def bracket(knots: Any, count: int, value: float) -> tuple[int, float]:
 
 
 @compiled
-def bilinear(table: Any, row: int, along_row: float, column: int, along_column: float) -> float:
+def bilinear(table: Matrix, row: int, along_row: float, column: int, along_column: float) -> float:
     """Value of `table` between its rows and columns."""
     if along_row == 0.0 and along_column == 0.0:
         return float(table[row, column])

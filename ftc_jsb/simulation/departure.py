@@ -1,9 +1,9 @@
 """Ends a flight that has departed: what the kernels cannot fly on from, and why."""
 
 import math
-from typing import Any
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.vocabulary.kernel_types import Records
 
 FLYING, NOT_FINITE, STOPPED, VERTICAL, STALLED, GROUND, DRY = range(7)
 
@@ -20,7 +20,7 @@ REASONS = {
 
 
 @compiled
-def departed(record: Any, i: int) -> int:
+def departed(record: Records, i: int) -> int:
     """FLYING, or the reason why row `i` cannot be flown on from."""
     row = record[i]
     total = row.airspeed + row.flight_path_angle + row.heading + row.altitude + row.load_factor

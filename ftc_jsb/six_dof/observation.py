@@ -8,6 +8,7 @@ import numpy as np
 from ftc_jsb.compiled import compiled
 from ftc_jsb.frames import continuous, path_from_attitude
 from ftc_jsb.units import FOOT, POUND_FORCE, POUND_MASS
+from ftc_jsb.vocabulary.kernel_types import Records, Vector
 
 # The properties read at every sample, in the order of the kernel below; then control positions and
 # one thrust for each engine.
@@ -53,7 +54,7 @@ JSBSIM_STATE = np.dtype(
 
 
 @compiled
-def observe(raw: Any, state: Any, record: Any, i: int) -> None:
+def observe(raw: Vector, state: Any, record: Records, i: int) -> None:
     """JSBSim's properties as SI truth in row `i`.
 
     Flight path, heading and bank are those of the air-relative velocity, from attitude, alpha and

@@ -1,10 +1,10 @@
 """The discrete model (3), (21) of any system: a Runge-Kutta step of (2), for the plant and the filter."""
 
 from collections.abc import Callable
-from typing import Any
 
 from ftc_jsb.compiled import compiled_in_memory
 from ftc_jsb.theory.generated import Kernels
+from ftc_jsb.vocabulary.kernel_types import Matrix, Vector
 
 
 def make_propagate(kernels: Kernels) -> Callable[..., None]:
@@ -15,7 +15,7 @@ def make_propagate(kernels: Kernels) -> Callable[..., None]:
     dynamics = kernels.dynamics
 
     @compiled_in_memory
-    def propagate(x: Any, u: Any, k: Any, p: Any, dt: float, scratch: Any) -> None:
+    def propagate(x: Vector, u: Vector, k: Vector, p: Vector, dt: float, scratch: Matrix) -> None:
         n = x.size
         k1, k2, k3, k4, y = scratch[0], scratch[1], scratch[2], scratch[3], scratch[4]
         dynamics(x, u, k, p, k1)

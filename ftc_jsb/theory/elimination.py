@@ -1,14 +1,13 @@
 """Small linear systems by elimination, without allocation, with the pivot that failed."""
 
-from typing import Any
-
 from ftc_jsb.compiled import compiled
+from ftc_jsb.vocabulary.kernel_types import Matrix, Vector
 
 SINGULAR = 1e-12  # pivot relative to the largest element of the matrix
 
 
 @compiled
-def solve_in_place(matrix: Any, vector: Any) -> int:
+def solve_in_place(matrix: Matrix, vector: Vector) -> int:
     """Solve matrix x = vector by Gaussian elimination with row exchange; both are overwritten.
 
     Args:

@@ -6,7 +6,7 @@ differ at second order; `augmented.py` is that form, and docs/theory.md says by 
 """
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +23,7 @@ from ftc_jsb.estimation.sigma_points import (
 )
 from ftc_jsb.theory.discrete_model import make_propagate
 from ftc_jsb.theory.generated import Kernels
+from ftc_jsb.vocabulary.kernel_types import Matrix, Vector
 
 Array = npt.NDArray[np.float64]
 
@@ -56,7 +57,9 @@ def make_filter(kernels: Kernels, states: int, faults: int, outputs: int) -> Cal
     n = states + faults
 
     @compiled_in_memory
-    def step(z: Any, cov: Any, u: Any, y: Any, p: Any, settings: FilterSettings) -> None:
+    def step(
+        z: Vector, cov: Matrix, u: Vector, y: Vector, p: Vector, settings: FilterSettings
+    ) -> None:
         scratch = Scratch(np.zeros((n, n)), np.empty((2 * n + 1, n)))
         predict(z, cov, u, p, settings, scratch)
         update(z, cov, y, p, settings, scratch)
@@ -70,7 +73,7 @@ def _make_predict(kernels: Kernels, states: int, faults: int) -> Callable[..., N
 
     @compiled_in_memory
     def predict(
-        z: Any, cov: Any, u: Any, p: Any, settings: FilterSettings, scratch: Scratch
+        z: Vector, cov: Matrix, u: Vector, p: Vector, settings: FilterSettings, scratch: Scratch
     ) -> None:
         """Prediction (26)-(30): z and cov go from k-1 to k."""
         points, stages = scratch.points, np.empty((5, states))
@@ -91,7 +94,7 @@ def _make_update(kernels: Kernels, states: int, faults: int, outputs: int) -> Ca
 
     @compiled_in_memory
     def update(
-        z: Any, cov: Any, y: Any, p: Any, settings: FilterSettings, scratch: Scratch
+        z: Vector, cov: Matrix, y: Vector, p: Vector, settings: FilterSettings, scratch: Scratch
     ) -> None:
         """Correction (31)-(34) by y, and the bounds of the fault states."""
         for i in range(m):
@@ -116,7 +119,7 @@ def _make_update(kernels: Kernels, states: int, faults: int, outputs: int) -> Ca
 
 
 @inlined
-def condition_on(z: Any, cov: Any, innovation: Any, pyy: Any, pxy: Any) -> None:
+def condition_on(z: Vector, cov: Matrix, innovation: Vector, pyy: Matrix, pxy: Matrix) -> None:
     """(34): K = P_xy P_yy^-1; the estimate gains K (y - y^), the covariance loses K P_yy K^T.
 
     Args:

@@ -1,7 +1,7 @@
 """The law (17)/(20) for any system and any indices, made from generated kernels."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -9,6 +9,7 @@ import numpy.typing as npt
 from ftc_jsb.compiled import compiled_in_memory
 from ftc_jsb.theory.elimination import solve_in_place
 from ftc_jsb.theory.generated import Kernels
+from ftc_jsb.vocabulary.kernel_types import Matrix, Vector
 
 SOLVED = -1
 
@@ -36,7 +37,14 @@ def make_law(kernels: Kernels) -> Callable[..., int]:
 
     @compiled_in_memory
     def law(
-        x: Any, u_n: Any, k: Any, p: Any, reference: Reference, gain: Any, scratch: Any, u: Any
+        x: Vector,
+        u_n: Vector,
+        k: Vector,
+        p: Vector,
+        reference: Reference,
+        gain: Matrix,
+        scratch: Vector,
+        u: Vector,
     ) -> int:
         order, count = reference.chain.size, reference.derivative.size
         outputs = scratch[:order]

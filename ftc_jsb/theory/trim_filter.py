@@ -1,14 +1,13 @@
 """The trim input u_n: filter (10) of the command, and one of second order that Remark 5 allows."""
 
-from typing import Any
-
 import numpy as np
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.vocabulary.kernel_types import Vector
 
 
 @compiled
-def trim_step(u_n: Any, u: Any, zeta: float, dt: float) -> None:
+def trim_step(u_n: Vector, u: Vector, zeta: float, dt: float) -> None:
     """(10) over a sample with the command held: u_n += (1 - exp(-zeta dt)) (u - u_n).
 
     Args:
@@ -23,7 +22,7 @@ def trim_step(u_n: Any, u: Any, zeta: float, dt: float) -> None:
 
 
 @compiled
-def trim_step_second_order(u_n: Any, rate: Any, u: Any, zeta: float, dt: float) -> None:
+def trim_step_second_order(u_n: Vector, rate: Vector, u: Vector, zeta: float, dt: float) -> None:
     """The higher-order filter that Remark 5 allows, in place of (10).
 
     Critically damped, u_n'' = zeta^2 (u - u_n) - 2 zeta u_n', exact for held commands; it gives the
