@@ -171,9 +171,7 @@ def demand_of_law(
 
 
 @compiled
-def limit_demand(
-    s: LoopSettings, x: LoopState, at: Condition, row: Row, demand: Inputs, limits: Limits
-) -> None:
+def limit_demand(x: LoopState, at: Condition, row: Row, demand: Inputs, limits: Limits) -> None:
     """Hold the demand within the aircraft's limits."""
     x.demand[0] = min(max(demand.thrust, at.thrust_idle), at.thrust_maximum)
     x.demand[1] = min(max(demand.load_factor, limits.load_factor_min), limits.load_factor_max)

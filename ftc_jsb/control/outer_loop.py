@@ -61,7 +61,7 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
     wanted = keep_inside_envelope(s, m, x, at, state, effectiveness.thrust, limits, wanted)
     wanted = Rates(wanted.airspeed + unpaid, wanted.flight_path_angle, wanted.heading)
     demand = demand_of_law(s, x, at, row, state, effectiveness, wanted, limits)
-    limit_demand(s, x, at, row, demand, limits)
+    limit_demand(x, at, row, demand, limits)
     integrate_errors(s, x, row, errors)
     command_inner_loop(s, x, row, limits)
     advance_trim_input(s, x, row)

@@ -111,7 +111,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
         s["bank_share"] = bank_share(loop, model)
         s["drag_correction"] = loop.drag_correction
         s["speed_first"] = loop.priority == "speed"
-        s["upright"] = model[0]["response_frequency"][1] > 0.0  # the paper's aircraft has no lag
+        s["upright"] = model[0]["constant_density"] == 0.0  # any aircraft but the paper's
     s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
     s["effectiveness_floor"] = loop.effectiveness_floor
     if loop.response_lead:
