@@ -11,8 +11,8 @@ from ftc_jsb.scenario.types import Text
 from ftc_jsb.typed_file import Section
 
 MOST_CASES = 10_000_000
-EVENTS = ("failure", "loss-of-control", "false-alarm", "miss")
 Event = Literal["failure", "loss-of-control", "false-alarm", "miss"]
+EVENTS: tuple[Event, ...] = ("failure", "loss-of-control", "false-alarm", "miss")
 Sampling = Literal["monte-carlo", "latin-hypercube", "sobol", "grid"]
 _Names = Annotated[tuple[Text, ...], Field(min_length=1, max_length=64)]
 _Confidence = Annotated[float, Field(ge=0.5, le=0.9999)]
