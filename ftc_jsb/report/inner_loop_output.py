@@ -7,6 +7,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 from ftc_jsb.aircraft.description import Aircraft, load_aircraft
+from ftc_jsb.atomic_file import atomic_file, write_text
 from ftc_jsb.inner_loop_design.design import design, write_design
 from ftc_jsb.inner_loop_design.published_steps import fly_steps
 from ftc_jsb.inner_loop_design.steps_table import COLUMNS, table_row
@@ -43,8 +44,9 @@ def report_steps(aircraft: list[Aircraft], folder: Path) -> str:
         flown = fly_steps(one)
         rows += [table_row(one.name, steps) for steps in flown]
         figure = steps_figure(one.title, flown)
-        figure.savefig(folder / f"steps-{one.name}.png", dpi=DPI)
+        with atomic_file(folder / f"steps-{one.name}.png") as part:
+            figure.savefig(part, format="png", dpi=DPI)
         plt.close(figure)
     table = "\n".join(f"| {' | '.join(row)} |" for row in rows)
-    (folder / "steps.md").write_text(table + "\n", encoding="utf-8")
+    write_text(folder / "steps.md", table + "\n")
     return table
