@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from ftc_jsb.analysis.metrics import flight_metrics
-from ftc_jsb.inner_loop_design.reference_search import AIRSPEEDS
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
@@ -20,7 +19,7 @@ from ftc_jsb.simulation.fly import fly
 SCENARIOS = {"f16": "paper", "f15": "f15", "F4N": "f4n", "A4": "a4", "T38": "t38"}
 LEFT = 0.6  # effectiveness after the fault
 RESERVE = 1.15  # of the thrust needed
-SPEEDS = range(300, int(AIRSPEEDS[0]) - 1, -5)  # [m/s], not below what inner loops are designed for
+SPEEDS = range(300, 189, -5)  # [m/s], not below what inner loops are designed for
 SCALES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3)  # of the manoeuvre's angles
 PATH = ((0, 0), (15, 0), (25, 5), (35, 5), (45, 0))  # (44): time [s], angle [deg]
 HEADING = ((0, 0), (5, 0), (10, 30), (20, 30), (30, -30), (40, -30), (45, 0))

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError
 
+from ftc_jsb.aircraft.airplane_class import AirplaneClass
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.typed_file import Section, first_problem
@@ -74,6 +75,15 @@ class FlightTest(Section):
     load_factor: tuple[_Value, _Value]
     mach_breaks: tuple[_Value, ...] = ()  # Mach numbers at which flaps switch
     lift_coefficient_max: Annotated[float, Field(gt=0.0, le=10.0)]
+    # m/s at sea level; above, the tests keep to its dynamic pressure. Default: the lowest airspeed.
+    slowest: Annotated[float, Field(gt=0.0, le=1e3)] | None = None
+
+
+class InnerLoop(Section):
+    """Where the inner loop is designed and judged [m/s]; empty: as the test range has it."""
+
+    design_airspeeds: tuple[_Value, ...] = ()
+    step_airspeeds: tuple[_Value, ...] = ()
 
 
 class Aircraft(Section):
@@ -88,6 +98,9 @@ class Aircraft(Section):
     positions: Positions
     surfaces: Surfaces
     flight_test: FlightTest
+    # MIL-F-8785C: I light, II medium, III heavy, IV fighter. Default: by mass and load factor.
+    airplane_class: AirplaneClass | None = None
+    inner_loop: InnerLoop = InnerLoop()
     correction: tuple[Correction, ...] = ()
     folder: Path = Field(default=Path(), exclude=True)
 

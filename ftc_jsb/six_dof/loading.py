@@ -18,6 +18,21 @@ def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
     Raises:
         AircraftError: JSBSim refuses the aircraft; carries what JSBSim said.
     """
+    return load_from(aircraft.name, aircraft.jsbsim_model, root, dt)
+
+
+def load_from(name: str, model: str, root: Path, dt: float) -> Any:
+    """A fresh `jsbsim.FGFDMExec` with an aircraft loaded.
+
+    Args:
+        name: for messages.
+        model: of JSBSim.
+        root: folder with `aircraft/`, `engine/`, `systems/`.
+        dt: JSBSim's time step [s].
+
+    Raises:
+        AircraftError: JSBSim refuses the aircraft; carries what JSBSim said.
+    """
     import jsbsim
 
     listener = _listener()
@@ -27,19 +42,14 @@ def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
     fdm.set_dt(dt)  # before loading: actuators and filters take their time step when they are read
     listener.text = ""  # the banner
     try:
-        loaded = fdm.load_model_with_paths(
-            aircraft.jsbsim_model,
-            str(root / "aircraft"),
-            str(root / "engine"),
-            str(root / "systems"),
-            True,
-        )
+        aircraft, engine, systems = root / "aircraft", root / "engine", root / "systems"
+        loaded = fdm.load_model_with_paths(model, str(aircraft), str(engine), str(systems), True)
     except Exception as error:
         said = " ".join(f"{error} {listener.text}".split())[:400]
-        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim: {said}") from None
+        raise AircraftError(f"aircraft {name!r}: JSBSim: {said}") from None
     if not loaded:
         said = " ".join(listener.text.split())[:400]
-        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim cannot load it: {said}")
+        raise AircraftError(f"aircraft {name!r}: JSBSim cannot load it: {said}")
     return fdm
 
 
