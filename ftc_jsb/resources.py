@@ -26,7 +26,8 @@ def aircraft_folder(name: str) -> Path:
     known = ", ".join(aircraft_names())
     raise AircraftError(
         f"aircraft.name: no aircraft {name!r}; expected one of {known}, "
-        "or the path of a folder (./mine) that holds point_mass.toml"
+        "or the path of a folder (./mine) that holds point_mass.toml; `ftc-jsb inner-loop` makes one of an "
+        "aircraft of the jsbsim package"
     )
 
 

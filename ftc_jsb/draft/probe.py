@@ -3,8 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from ftc_jsb.errors import AircraftError
-from ftc_jsb.six_dof.loading import load_from
+from ftc_jsb.six_dof.loading import initialise, load_from
 from ftc_jsb.units import FOOT
 
 DT = 0.02  # [s]
@@ -45,15 +44,7 @@ def hold(fdm: Any, airspeed: float, altitude: float, alpha: float) -> None:
     fdm["ic/h-sl-ft"] = altitude / FOOT
     fdm["ic/vt-fps"] = airspeed / FOOT
     fdm["ic/alpha-rad"] = alpha
-    try:
-        accepted = fdm.run_ic()
-    except Exception as error:
-        said = " ".join(str(error).split())[:400]
-        raise AircraftError(f"aircraft {fdm.get_model_name()!r}: JSBSim: {said}") from None
-    if not accepted:
-        raise AircraftError(
-            f"aircraft {fdm.get_model_name()!r}: JSBSim refuses {airspeed:.0f} m/s at {altitude:.0f} m"
-        )
+    initialise(fdm, fdm.get_model_name())
     for name in INTEGRATORS:
         fdm[f"simulation/integrator/{name}"] = 0.0
 

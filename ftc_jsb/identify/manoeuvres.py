@@ -100,8 +100,9 @@ def _climb(path: float) -> Schedule:
 def _mixed(test: FlightTest, altitude: float, fuel: float, seed: int) -> Manoeuvre:
     """Turns, rolls, pulls and throttle all at once, from a seeded sum of sines and steps."""
     random = np.random.default_rng(seed)
-    slow = slowest(test, altitude)
-    airspeed = float(random.uniform(slow + min(MIXED_MARGIN, 0.2 * slow), 0.95 * test.airspeed[1]))
+    slow, fast = slowest(test, altitude), 0.95 * test.airspeed[1]
+    margin = max(0.0, min(MIXED_MARGIN, 0.2 * slow, 0.5 * (fast - slow)))
+    airspeed = float(random.uniform(min(slow + margin, fast), fast))
     periods = random.uniform(4.0, 25.0, (3, 3))
     phases = random.uniform(0.0, 2.0 * math.pi, (3, 3))
     reach = min((test.load_factor[1] - 1.0) / (AGILE - 1.0), 1.0)

@@ -11,6 +11,8 @@ from ftc_jsb.identify.regression import Array, hats, products, second_difference
 MACH_STEP = 0.1
 ALTITUDE_STEP = 3048.0  # [m]: 10 000 ft, as engine decks are published
 SETTLED = 150  # samples for which the throttle must have stood nearly still
+STILL = 50  # samples over which thrust may change by
+STILL_THRUST = 0.01  # of the largest of the flight
 
 
 class Deck(NamedTuple):
@@ -71,9 +73,15 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
 
 
 def _settled(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
-    """Samples before which the throttle has moved by less than 0.02 in each tenth of a second."""
+    """Samples before which the throttle has moved by less than 0.02 in each tenth of a second.
+
+    And to which the thrust no longer goes: a large fan takes its time to spool.
+    """
     moving = np.abs(np.diff(record["throttle"], prepend=record["throttle"][0])) > 0.002
     since = np.arange(record.size) - np.maximum.accumulate(
         np.where(moving, np.arange(record.size), 0)
     )
-    return np.asarray(since > SETTLED)
+    thrust = record["thrust"]
+    change = np.full(record.size, np.inf)
+    change[STILL:] = np.abs(thrust[STILL:] - thrust[:-STILL])
+    return np.asarray((since > SETTLED) & (change < STILL_THRUST * np.abs(thrust).max()))

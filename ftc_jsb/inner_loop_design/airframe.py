@@ -10,7 +10,7 @@ from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.aircraft.test_range import REFERENCE_ALTITUDE, SOUND_SPEED
 from ftc_jsb.errors import AircraftError, TrimError
 from ftc_jsb.scenario.schema import Initial
-from ftc_jsb.six_dof.loading import load
+from ftc_jsb.six_dof.loading import initialise, load
 from ftc_jsb.six_dof.trim import set_condition, trimmed
 
 DT = 0.005  # [s]
@@ -151,7 +151,7 @@ def _lift_slope(aircraft: Aircraft, root: Path, initial: Initial) -> float:
         for surface in ACCELERATION:
             fdm[f"fcs/{surface}-cmd-norm"] = trim[f"fcs/{surface}-cmd-norm"]
         fdm["fcs/pitch-trim-cmd-norm"] = trim["fcs/pitch-trim-cmd-norm"]
-        fdm.run_ic()
+        initialise(fdm, aircraft.name)
         lift = fdm["forces/fbx-aero-lbs"] * math.sin(alpha)
         lift -= fdm["forces/fbz-aero-lbs"] * math.cos(alpha)
         if LOAD_FACTORS[0] <= lift / weight <= LOAD_FACTORS[1]:

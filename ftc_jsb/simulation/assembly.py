@@ -99,6 +99,7 @@ def build_plant(
             wind=scenario.wind,
             seed=scenario.seed,
             output=output,
+            point_mass=point_mass_of(scenario),
         )
     from ftc_jsb.simulation.point_mass_plant import PointMassPlant
 

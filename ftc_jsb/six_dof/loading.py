@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from ftc_jsb.aircraft.description import Aircraft
-from ftc_jsb.errors import AircraftError
+from ftc_jsb.errors import AircraftError, TrimError
 
 
 def load(aircraft: Aircraft, root: Path, dt: float) -> Any:
@@ -51,6 +51,26 @@ def load_from(name: str, model: str, root: Path, dt: float) -> Any:
         said = " ".join(listener.text.split())[:400]
         raise AircraftError(f"aircraft {name!r}: JSBSim cannot load it: {said}")
     return fdm
+
+
+def initialise(fdm: Any, name: str) -> None:
+    """`run_ic`, with the failures of JSBSim in a sentence.
+
+    Args:
+        fdm: loaded, with its initial condition set.
+        name: of the aircraft, for messages.
+
+    Raises:
+        AircraftError: JSBSim raised, for an unknown property, say.
+        TrimError: it refuses the initial condition.
+    """
+    try:
+        accepted = fdm.run_ic()
+    except Exception as error:
+        said = " ".join(str(error).split())[:400]
+        raise AircraftError(f"aircraft {name!r}: JSBSim: {said}") from None
+    if not accepted:
+        raise TrimError(f"aircraft {name!r}: JSBSim refuses the initial condition")
 
 
 def _listener() -> Any:
