@@ -2,9 +2,9 @@
 
 import tomllib
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field, ValidationError
+from pydantic import Field, ValidationError, model_validator
 
 from ftc_jsb.aircraft.airplane_class import AirplaneClass
 from ftc_jsb.errors import AircraftError
@@ -77,6 +77,19 @@ class FlightTest(Section):
     lift_coefficient_max: Annotated[float, Field(gt=0.0, le=10.0)]
     # m/s at sea level; above, the tests keep to its dynamic pressure. Default: the lowest airspeed.
     slowest: Annotated[float, Field(gt=0.0, le=1e3)] | None = None
+
+    @model_validator(mode="after")
+    def _ranges(self) -> Self:
+        low, high = self.airspeed
+        if not 0.0 < low < high:
+            raise ValueError("flight_test.airspeed: expected two increasing speeds above 0")
+        if list(self.altitude) != sorted(set(self.altitude)):
+            raise ValueError("flight_test.altitude: expected increasing heights")
+        if not all(0.0 <= fuel <= 1.0 for fuel in self.fuel_fraction):
+            raise ValueError("flight_test.fuel_fraction: expected numbers from 0 to 1")
+        if not self.load_factor[0] < 1.0 < self.load_factor[1]:
+            raise ValueError("flight_test.load_factor: expected one below and one above 1")
+        return self
 
 
 class InnerLoop(Section):

@@ -3,6 +3,8 @@
 import xml.etree.ElementTree as ET
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ftc_jsb.aircraft.description import Positions, Surface, Surfaces, Throttle
 from ftc_jsb.draft.probe import hold, settle
 from ftc_jsb.errors import AircraftError
@@ -19,7 +21,8 @@ LEAST_TRAVEL = 1e-3  # [rad] or of 1
 THROTTLE = "fcs/throttle-pos-norm"
 THROTTLE_COMMAND = "fcs/throttle-cmd-norm"
 HALF = 0.5  # throttle command
-PLACE = (180.0, 3048.0, 0.05)  # [m/s], [m], [rad] where the aircraft is held
+AIRSPEEDS = (90.0, 180.0, 270.0)  # [m/s] where the aircraft is held: some travels go by pressure
+ALTITUDE, ALPHA = 3048.0, 0.05  # [m], [rad]
 
 
 class Controls(NamedTuple):
@@ -44,8 +47,7 @@ def controls(model: str, source: Installed, fdm: Any) -> Controls:
         AircraftError: no position that the aerodynamics read answers one of the commands.
     """
     read = _positions_read(source.root)
-    hold(fdm, *PLACE)
-    travels = {command: _travels(fdm, command, read) for command in SURFACES}
+    travels = {command: _widest(fdm, command, read) for command in SURFACES}
     found: dict[str, list[Surface]] = {}
     for command in SURFACES:
         own = [p for p in read if _mover(travels, p) == command]
@@ -75,6 +77,17 @@ def _positions_read(root: ET.Element) -> list[str]:
     names = [(e.text or "").strip().removeprefix("-") for e in texts]
     names = [name.replace("fcs/mag-", "fcs/", 1) for name in names]
     return list(dict.fromkeys(name for name in names if name.startswith("fcs/")))
+
+
+def _widest(fdm: Any, command: str, read: list[str]) -> dict[str, tuple[float, float]]:
+    """Position at full command to each side, where it goes furthest."""
+    widest: dict[str, tuple[float, float]] = {}
+    for airspeed in AIRSPEEDS:
+        hold(fdm, airspeed, ALTITUDE, ALPHA)
+        for name, ends in _travels(fdm, command, read).items():
+            if name not in widest or abs(np.subtract(*ends)) > abs(np.subtract(*widest[name])):
+                widest[name] = ends
+    return widest
 
 
 def _travels(fdm: Any, command: str, read: list[str]) -> dict[str, tuple[float, float]]:

@@ -15,7 +15,6 @@ from ftc_jsb.inner_loop_design.reference_search import (
     Progress,
     axes,
     fastest_reference,
-    search_grid,
 )
 from ftc_jsb.point_mass.atmosphere import standard_atmosphere
 from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
@@ -78,15 +77,14 @@ def design(aircraft: Aircraft, progress: Progress) -> Design:
 
 def _searched(trial: Aircraft, result: Design, handling: Handling, progress: Progress) -> Design:
     """The fastest references with the highest gains with which there are any."""
-    conditions = list(search_grid(trial))
     load_factor, bank = axes(handling)
     for scale in GAIN_SCALES:
         found = gains(trial, handling, scale)
         chosen = {f"ftc/gain/{name.replace('_', '-')}": value for name, value in feedback(found)}
         try:
-            fastest = fastest_reference(trial, load_factor, conditions, chosen, progress)
+            fastest = fastest_reference(trial, load_factor, chosen, progress)
             chosen["ftc/load-factor/frequency"] = fastest
-            rolled = fastest_reference(trial, bank, conditions, chosen, progress)
+            rolled = fastest_reference(trial, bank, chosen, progress)
         except NotFollowedError as error:
             if scale == GAIN_SCALES[-1]:
                 raise

@@ -16,6 +16,7 @@ from ftc_jsb.six_dof.data_sheet import data_sheet
 
 Progress = Callable[[str], None]
 
+LOAD_FACTOR, BANK = "load-factor", "bank"  # as in the inner loop's properties
 FUEL = (0.2, 0.8)  # of internal fuel
 FEWEST = 0.5  # of the conditions that must trim
 LOAD_FACTOR_OVERSHOOT, LOAD_FACTOR_FOLLOWING = 0.08, 0.15  # of the step
@@ -39,7 +40,7 @@ class Criterion(NamedTuple):
 class Axis(NamedTuple):
     """A reference to be searched for."""
 
-    name: str  # as in the inner loop's properties
+    name: str  # LOAD_FACTOR or BANK
     frequencies: tuple[float, ...]  # [rad/s], to be tried in this order
     criterion: Criterion
 
@@ -52,29 +53,40 @@ def axes(handling: Handling) -> tuple[Axis, Axis]:
     settling = SETTLING_SHARE * handling.bank_settling
     rolled = Criterion(BANK_OVERSHOOT, settling, handling.roll_sideslip, BANK_FOLLOWING)
     return (
-        Axis("load-factor", handling.load_factor_frequencies, pulled),
-        Axis("bank", handling.bank_frequencies, rolled),
+        Axis(LOAD_FACTOR, handling.load_factor_frequencies, pulled),
+        Axis(BANK, handling.bank_frequencies, rolled),
     )
 
 
-def search_grid(aircraft: Aircraft) -> Iterator[tuple[Initial, float]]:
+def search_grid(aircraft: Aircraft, axis: str) -> Iterator[tuple[Initial, float]]:
     """Level flight and fuel fraction at each point of the grid within the aircraft's test range.
+
+    For load factor also the highest altitude tested, at all but the slowest airspeed: there an
+    aircraft rings first, for want of pressure on its tail.
+
+    Args:
+        aircraft: as loaded.
+        axis: LOAD_FACTOR or BANK.
 
     Raises:
         AircraftError: the test range has no room.
     """
     low, high = aircraft.flight_test.airspeed
-    for airspeed in design_airspeeds(aircraft):
-        for altitude in design_altitudes(aircraft.flight_test):
+    altitudes = design_altitudes(aircraft.flight_test)
+    airspeeds = design_airspeeds(aircraft)
+    points = [(airspeed, altitude) for airspeed in airspeeds for altitude in altitudes]
+    highest = max(aircraft.flight_test.altitude)
+    if axis == LOAD_FACTOR and highest > altitudes[-1]:
+        points += [(airspeed, highest) for airspeed in airspeeds[1:]]
+    for airspeed, altitude in points:
+        if low <= airspeed <= high:
             for fuel in FUEL:
-                if low <= airspeed <= high:
-                    yield Initial(airspeed=airspeed, altitude=altitude), fuel
+                yield Initial(airspeed=airspeed, altitude=altitude), fuel
 
 
 def fastest_reference(
     aircraft: Aircraft,
     axis: Axis,
-    conditions: list[tuple[Initial, float]],
     numbers: dict[str, float],
     progress: Progress,
 ) -> float:
@@ -83,7 +95,6 @@ def fastest_reference(
     Args:
         aircraft: woven with its measured airframe.
         axis: to be searched.
-        conditions: initial condition and fuel fraction; those that do not trim are left out.
         numbers: properties of the inner loop that are decided already.
         progress: told what is being done, a line at a time.
 
@@ -91,8 +102,13 @@ def fastest_reference(
         NotFollowedError: there is none.
         AircraftError: no trim at more than half of the conditions.
     """
-    remaining = list(conditions)
-    asked = len(conditions)
+    conditions = list(search_grid(aircraft, axis.name))  # those that do not trim are left out
+    remaining, asked = list(conditions), len(conditions)
+    if not conditions:
+        raise AircraftError(
+            f"aircraft {aircraft.name!r}: no airspeed of inner_loop.design_airspeeds lies within "
+            "flight_test.airspeed"
+        )
     unmet = ""
     for frequency in axis.frequencies:
         for condition in remaining:
@@ -150,7 +166,7 @@ def fly_step(
     """
     handling = CLASSES[class_of(aircraft)]
     seconds = handling.step_time
-    if axis == "bank":
+    if axis == BANK:
         last = handling.bank_step
         flown = fly_commands(aircraft, initial, fuel_fraction, bank_step(last), seconds, numbers)
         value, reference = flown.record["bank_angle"], flown.bank_reference
