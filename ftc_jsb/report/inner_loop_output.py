@@ -72,9 +72,10 @@ def report_steps(aircraft: list[Aircraft], folder: Path) -> tuple[str, list[str]
             rows.append(table_row(one.name, steps, handling))
             unmet = criteria_missed(steps, handling)
             missed += [f"{one.name} at {steps.airspeed:g} m/s: {what}" for what in unmet]
-        figure = steps_figure(one.title, flown)
-        figure.savefig(folder / f"steps-{one.name}.png", dpi=DPI)
-        plt.close(figure)
+        if flown:
+            figure = steps_figure(one.title, flown)
+            figure.savefig(folder / f"steps-{one.name}.png", dpi=DPI)
+            plt.close(figure)
     table = "\n".join(f"| {' | '.join(row)} |" for row in rows)
     (folder / "steps.md").write_text(table + "\n", encoding="utf-8")
     return table, missed

@@ -19,6 +19,7 @@ PAPER = (shipped("scenarios") / "paper.toml").read_text(encoding="utf-8")
 
 def test_scenarios_that_are_shipped():
     assert scenario_names() == [
+        "737",
         "a4",
         "engine-out",
         "f15",
@@ -30,6 +31,7 @@ def test_scenarios_that_are_shipped():
         "ramp",
         "severe",
         "speed-first",
+        "t37",
         "t38",
         "total-loss",
         "turbulence",
@@ -143,7 +145,7 @@ def test_override_reaches_every_level():
 def test_file_that_is_not_there_not_toml_or_no_text(tmp_path: Path):
     with pytest.raises(ScenarioError, match="no such file"):
         load_scenario(str(tmp_path / "none.toml"))
-    with pytest.raises(ScenarioError, match="shipped are a4, engine-out, f15, f4n, helix"):
+    with pytest.raises(ScenarioError, match="shipped are 737, a4, engine-out, f15, f4n, helix"):
         load_scenario("papre")
     with pytest.raises(ScenarioError, match="is a folder"):
         load_scenario(str(tmp_path))
