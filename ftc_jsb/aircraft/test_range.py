@@ -9,6 +9,7 @@ SCALE_HEIGHT = 9000.0  # [m], of the density of the lower atmosphere
 ALTITUDES = (1500.0, 4000.0)  # [m] at which inner loops are designed
 SPEED_MARGINS = (1.15, 0.92)  # at the ends of the test range: no step leaves it
 MACH_STEP, FINE_MACH_STEP = 0.1, 0.05
+MACH_MARGIN = 0.005  # below the fastest: an aircraft must trim there
 FINE_FROM = 0.8  # Mach number from which drag rises
 REFERENCE_ALTITUDE = 3048.0  # [m], 10 000 ft: that of the scenarios
 SOUND_SPEED = 328.387  # [m/s] there
@@ -78,5 +79,5 @@ def mach_numbers(test: FlightTest) -> tuple[float, ...]:
     first = max(round(low / MACH_STEP), 1)
     coarse = [number * MACH_STEP for number in range(first, round(FINE_FROM / MACH_STEP) + 1)]
     fine = [FINE_FROM + (n + 1) * FINE_MACH_STEP for n in range(round(1.0 / FINE_MACH_STEP))]
-    numbers = tuple(round(mach, 2) for mach in (*coarse, *fine) if mach <= high + 1e-9)
+    numbers = tuple(round(mach, 2) for mach in (*coarse, *fine) if mach <= high - MACH_MARGIN)
     return numbers or (round((low + high) / 2.0, 2),)

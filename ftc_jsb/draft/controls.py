@@ -124,7 +124,7 @@ def _mover(travels: dict[str, dict[str, tuple[float, float]]], name: str) -> str
 
 
 def _surface(name: str, ends: tuple[float, float]) -> Surface:
-    travel = round(min(ends), 4), round(max(ends), 4)
+    travel = round(ends[0], 4), round(ends[1], 4)
     return Surface(property=name, unit="rad" if name.endswith("-rad") else "norm", travel=travel)
 
 

@@ -28,7 +28,7 @@ def test_every_installed_aircraft_can_be_woven_or_says_what_is_missing(name):
 @pytest.mark.parametrize(
     ("name", "says"),
     [
-        ("f22", "answers fcs/elevator-cmd-norm"),  # its surfaces stand still at this command alone
+        ("f22", "answers fcs/aileron-cmd-norm"),  # its ailerons stand still at this command alone
         ("f104", "systems/radar/range"),  # a property that FlightGear has
         ("OV10", "no level flight at 3048 m"),
     ],
@@ -40,13 +40,13 @@ def test_what_cannot_be_drafted_says_why(name, says, tmp_path):
 
 
 def test_draft_finds_again_what_the_shipped_file_says(tmp_path):
-    """A-4: positions, travel, throttle and drag rise as in the hand-made file; lift and speeds near it.
+    """F-4N: positions, travel, throttle and drag rise as in the hand-made file; lift and speeds near it.
 
     C_Lmax to 0.05. Lowest speed below the shipped one, which keeps clear of what thrust at height
     cannot pay; highest within 10 m/s.
     """
-    found = load_aircraft(str(draft("A4", tmp_path / "A4", silent).parent))
-    shipped = load_aircraft("A4")
+    found = load_aircraft(str(draft("F4N", tmp_path / "F4N", silent).parent))
+    shipped = load_aircraft("F4N")
     assert found.throttle == shipped.throttle
     assert found.positions == shipped.positions
     assert found.fuel_tanks == shipped.fuel_tanks
