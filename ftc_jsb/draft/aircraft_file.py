@@ -16,7 +16,7 @@ from ftc_jsb.inner_loop_design.design import write_provisional
 from ftc_jsb.six_dof.data_sheet import data_sheet
 from ftc_jsb.six_dof.fuel_tanks import contents_property
 from ftc_jsb.six_dof.properties import write_checked
-from ftc_jsb.six_dof.weaving.installed import installed, package_root
+from ftc_jsb.six_dof.weaving.installed import installed
 from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 from ftc_jsb.vocabulary.channels import SURFACES
 
@@ -72,9 +72,11 @@ def draft(model: str, folder: Path, progress: Callable[[str], None]) -> Path:
     """
     progress(f"{model}: drafting aircraft.toml from the installed aircraft")
     source = installed(model)
-    fdm = loaded(model, package_root())
-    found = controls(model, source, fdm)
     with tempfile.TemporaryDirectory(prefix="ftc-jsb-") as scratch:
+        plain = Path(scratch) / "plain"
+        source.copy_to(plain)
+        fdm = loaded(model, plain)
+        found = controls(model, source, fdm)
         provisional = _described(model, source.root, found, fdm).model_copy(
             update={"folder": Path(scratch)}
         )

@@ -64,12 +64,17 @@ def test_draft_finds_again_what_the_shipped_file_says(tmp_path):
     assert found.airplane_class == "IV"
 
 
-def test_a_throttle_that_an_autopilot_passes_on_is_commanded_before_it(tmp_path):
-    """Global 5000: its autopilot's file writes the throttle's position from the command."""
+def test_a_throttle_that_an_autopilot_passes_on_is_commanded_before_it(tmp_path, monkeypatch):
+    """Global 5000: its autopilot's file writes the throttle's position from the command.
+
+    And JSBSim's own output of that aircraft, a log, is not left in the working folder.
+    """
+    monkeypatch.chdir(tmp_path)
     found = load_aircraft(str(draft("global5000", tmp_path / "g", silent).parent))
     assert found.throttle.property == "fcs/throttle-cmd-norm"
     assert found.throttle.military == 1.0
     assert found.airplane_class == "II"
+    assert [path.name for path in tmp_path.iterdir()] == ["g"]
 
 
 @pytest.mark.parametrize(

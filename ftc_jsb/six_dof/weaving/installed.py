@@ -1,5 +1,6 @@
 """An aircraft of the installed jsbsim package as it is read: its XML, its engines, its systems."""
 
+import shutil
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import NamedTuple
@@ -14,10 +15,18 @@ class Installed(NamedTuple):
 
     package: Path  # root of the jsbsim package
     folder: Path  # of the aircraft there
-    root: ET.Element  # of the aircraft
+    root: ET.Element  # of the aircraft, without its own logs and sockets
     engines: tuple[str, ...]  # file name of each engine; two may share one
     engine_roots: dict[str, ET.Element]  # by file name
     thrusters: tuple[Path, ...]
+
+    def copy_to(self, root: Path) -> None:
+        """Write the aircraft, its engines and all systems below `root`, for JSBSim to load."""
+        model = self.folder.name
+        shutil.copytree(self.folder, root / "aircraft" / model)
+        for shared in ("engine", "systems"):
+            shutil.copytree(self.package / shared, root / shared)
+        ET.ElementTree(self.root).write(root / "aircraft" / model / f"{model}.xml")
 
     def with_systems(self) -> list[ET.Element]:
         """XML of the aircraft and of the systems, autopilots and channels in files of their own."""
@@ -59,6 +68,8 @@ def installed(model: str) -> Installed:
     if not path.is_file():
         raise AircraftError(f"aircraft {model!r}: {path} not found")
     root = _parsed(path)
+    for element in [*root.findall("output"), *root.findall("input")]:
+        root.remove(element)  # logs into whatever folder one works in, and sockets
     if root.find("aerodynamics") is None:
         raise AircraftError(f"aircraft {model!r}: {path.name} has no aerodynamics")
     engines = tuple(engine.get("file", "") for engine in root.findall("propulsion/engine"))
