@@ -52,7 +52,7 @@ def flight_test(fdm: Any, masses: Masses, area: float) -> FlightTest:
     Raises:
         AircraftError: it cannot fly level at 3048 m or below.
     """
-    name = fdm.get_model_name()
+    name = f"aircraft {fdm.get_model_name()!r}"
     polar = trimmed_polar(fdm, MACH, SOUND_SPEED)
     peaks = polar.lift_max()
     if not np.isfinite(peaks).any():

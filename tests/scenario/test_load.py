@@ -46,6 +46,13 @@ def test_shipped_scenario_is_valid_and_survives_being_written(name):
     assert parse_scenario(scenario_toml(scenario), "written") == scenario
 
 
+def test_aircraft_whose_name_is_a_number():
+    """`--set aircraft.name=737`: what TOML reads as a number is a name."""
+    assert load_scenario("nominal", ["aircraft.name=737"]).aircraft.name == "737"
+    with pytest.raises(ScenarioError, match=r"aircraft\.name: input should be a valid string"):
+        load_scenario("nominal", ["aircraft.name=true"])
+
+
 def test_paper_scenario_is_section_5():
     """Section 5 of the paper, key by key, and the assumptions that README states where it is silent."""
     s = load_scenario("paper")
