@@ -24,7 +24,8 @@ class Handling(NamedTuple):
     steep_turn: float  # [rad], bank of the steady turn
     bank_settling: float  # [s] to 5 % of the step
     load_factor_rise: float  # [s], 10 to 90 %
-    load_factor_frequencies: tuple[float, ...]  # [rad/s], tried in this order
+    # [rad/s], tried in this order, down to where the rise would take too long
+    load_factor_frequencies: tuple[float, ...]
     bank_frequencies: tuple[float, ...]  # [rad/s]
     thrust_times: tuple[float, float, float]  # [s]: idle until, full until, idle again until
     step_time: float  # [s] of the search's flights
@@ -38,17 +39,17 @@ class Handling(NamedTuple):
 CLASSES = {
     "I": Handling(
         math.radians(60.0), math.radians(60.0), 3.4, 0.9,
-        (6.0, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0), (6.0, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5),
+        (6.0, 5.0, 4.5, 4.0, 3.5, 3.0), (6.0, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5),
         (6.0, 21.0, 31.0), 5.0, 0.05, 1.3, 0.6,
     ),
     "II": Handling(
         math.radians(45.0), math.radians(45.0), 3.8, 1.2,
-        (4.5, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5), (4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.2),
+        (4.5, 4.0, 3.5, 3.0, 2.5, 2.0), (4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.2),
         (6.0, 26.0, 36.0), 7.0, 0.05, 1.3, 0.6,
     ),
     "III": Handling(
         math.radians(30.0), math.radians(45.0), 4.6, 1.6,
-        (3.5, 3.0, 2.5, 2.0, 1.5, 1.2), (3.0, 2.5, 2.0, 1.5, 1.2, 1.0),
+        (3.5, 3.0, 2.5, 2.0, 1.5), (3.0, 2.5, 2.0, 1.5, 1.2, 1.0),
         (6.0, 26.0, 36.0), 7.0, 0.05, 1.3, 0.6,
     ),
     "IV": Handling(
