@@ -27,6 +27,7 @@ from ftc_jsb.simulation.departure import FLYING, REASONS, departed
 from ftc_jsb.simulation.sample import LoopInputs, perceive
 from ftc_jsb.six_dof.engines import engine_count
 from ftc_jsb.six_dof.plant import JsbsimPlant
+from ftc_jsb.six_dof.point_mass_match import check_point_mass
 from ftc_jsb.six_dof.properties import readers, writer
 from ftc_jsb.six_dof.weaving.engine_deck import EFFECTIVENESS
 from ftc_jsb.units import POUND_MASS
@@ -80,7 +81,9 @@ class OuterLoop:
         self._observe(0)
         self._refuse_departed(departed(self._record, 0))
         self._targets = [float(self._record[0][name]) for name in OUTPUTS] + [math.nan]
-        self._loop = self._built_loop(load_point_mass(aircraft_folder(aircraft)), settings, mass)
+        point_mass = load_point_mass(aircraft_folder(aircraft))
+        check_point_mass(fdm, loaded, point_mass)
+        self._loop = self._built_loop(point_mass, settings, mass)
         self._inputs = self._at_rest()
         self._perceive = direct(perceive, self._inputs, 0)
         writer(fdm, "ftc/engaged")(1.0)

@@ -7,7 +7,7 @@ becomes is converted where it is made: references in `reference.py`, sizes of se
 
 from typing import Annotated, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.limits import Limits
@@ -24,10 +24,15 @@ Model = Literal["paper", "identified", "jsbsim"]
 LONGEST_RECORDING = 4_000_000  # samples: 11 h at 100 Hz, about 3 GB
 
 
+def _as_text(name: object) -> object:
+    """A name that TOML reads as a number, such as 737, as text."""
+    return str(name) if isinstance(name, int) and not isinstance(name, bool) else name
+
+
 class AircraftChoice(Section):
     """[aircraft]: flown by the models `identified` and `jsbsim`."""
 
-    name: Text = "f16"
+    name: Annotated[Text, BeforeValidator(_as_text)] = "f16"
     flight_control: Literal["corrected", "stock"] = "corrected"
     fuel_fraction: float = Field(0.43, ge=0.0, le=1.0)  # of internal fuel
 

@@ -103,6 +103,7 @@ def build_plant(
             seed=scenario.seed,
             output=output,
             measured=scenario.sensors.reach_inner_loop,
+            point_mass=point_mass_of(scenario),
         )
     from ftc_jsb.simulation.point_mass_plant import PointMassPlant
 

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.aircraft.description import Aircraft, load_aircraft
+from ftc_jsb.aircraft.point_mass_file import PointMass
 from ftc_jsb.compiled import direct
 from ftc_jsb.disturbance.weather import wind_record
 from ftc_jsb.disturbance.wind import wind_step
@@ -22,6 +23,7 @@ from ftc_jsb.six_dof.air import set_turbulence, start_in_wind
 from ftc_jsb.six_dof.engines import delivered_thrust, engine_count, thrust_property
 from ftc_jsb.six_dof.fault_writers import FaultWriters
 from ftc_jsb.six_dof.observation import JSBSIM_STATE, POSITION_NAMES, PROPERTIES, observe
+from ftc_jsb.six_dof.point_mass_match import check_point_mass
 from ftc_jsb.six_dof.properties import readers, writer
 from ftc_jsb.six_dof.sensor_errors import SensorErrors
 from ftc_jsb.six_dof.trim import trimmed
@@ -48,6 +50,7 @@ class JsbsimPlant:
         seed: int = 0,
         output: Path | None = None,
         measured: bool = False,
+        point_mass: PointMass | None = None,
     ) -> None:
         """A plant that `reset` trims, or `attach` binds to an aircraft that flies.
 
@@ -60,7 +63,9 @@ class JsbsimPlant:
             seed: of the wind.
             output: a JSBSim output directive, by its absolute path.
             measured: the inner loop reads what the sensors measure; otherwise the truth.
+            point_mass: that the outer loop counts on, to be seen that it is of this aircraft.
         """
+        self._point_mass = point_mass
         self._choice = choice
         self._initial = initial
         self._steps = steps
@@ -75,7 +80,7 @@ class JsbsimPlant:
         """Weave, load, trim, check and engage; binds the recording to write to.
 
         Raises:
-            AircraftError, TrimError: with the property or the residuals.
+            AircraftError, TrimError: with the property or the residuals; or the point mass is another's.
         """
         aircraft = load_aircraft(self._choice.name)
         corrected = self._choice.flight_control == "corrected"
@@ -83,6 +88,8 @@ class JsbsimPlant:
         frame = self._sample / self._steps
         fuel = self._choice.fuel_fraction
         fdm = trimmed(aircraft, root, frame, self._initial, fuel, output=self._output)
+        if self._point_mass is not None:
+            check_point_mass(fdm, aircraft, self._point_mass)
         self._wind = wind_record(self._air, self._initial.altitude, self._seed, dryden=False)
         self._blow = direct(wind_step, self._wind, record, 0, self._sample)
         set_turbulence(fdm, self._air, self._seed)

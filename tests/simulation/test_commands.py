@@ -67,7 +67,7 @@ def test_heading_turns_the_shorter_way():
 @pytest.mark.parametrize("height", [5.0, 200.0, -400.0])
 @pytest.mark.parametrize("model", ["paper", "jsbsim"])
 def test_altitude_is_reached_and_held(height, model):
-    """Closed on the measured altitude: within 0.3 m. Never steeper than what was asked for by more than 0.3 deg."""
+    """Closed on the measured altitude: within 0.3 m, and never steeper than asked for by more than 0.3 deg."""
     flight = flown_with(
         (100, c.SetAltitude(value=3048.0 + height, flight_path=4.0 * DEGREE, rate=1.0 * DEGREE)),
         overrides=level(45, f"model={model}"),
