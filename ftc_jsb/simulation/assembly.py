@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.aircraft.point_mass_file import PointMass, load_point_mass
+from ftc_jsb.aircraft.wrong_model import wrong_model
 from ftc_jsb.control.altitude_hold import altitude_hold
 from ftc_jsb.control.command_filter import command_filter
 from ftc_jsb.control.protocol import LoopSetup
@@ -60,7 +61,7 @@ def assemble(
     model = aircraft.record(fuel)
     dt = 1.0 / scenario.loop.rate
     if plant is None:
-        plant = build_plant(scenario, model, dt, output)
+        plant = build_plant(scenario, _flown_point_mass(scenario).record(fuel), dt, output)
     setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
     first = [float(record[0][f"{name}_cmd_raw"]) for name in OUTPUTS]
     start = (0.0, 0.0, scenario.initial.altitude)
@@ -77,11 +78,15 @@ def assemble(
 
 
 def point_mass_of(scenario: Scenario) -> PointMass:
-    """The point mass that the outer loop of this scenario counts on.
+    """The point mass that the outer loop of this scenario counts on, [model_error] included.
 
     Raises:
         AircraftError: no such aircraft.
     """
+    return wrong_model(_flown_point_mass(scenario), scenario.model_error)
+
+
+def _flown_point_mass(scenario: Scenario) -> PointMass:
     name = PAPER_AIRCRAFT if scenario.model == "paper" else scenario.aircraft.name
     return load_point_mass(aircraft_folder(name))
 
