@@ -2,6 +2,7 @@
 
 import json
 import tomllib
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -101,6 +102,16 @@ def load_point_mass(folder: Path) -> PointMass:
             JSBSim model than the folder's `aircraft.toml` names.
     """
     path = folder / "point_mass.toml"
+    try:
+        stamp = path.stat()
+    except OSError as error:
+        raise AircraftError(f"{path}: cannot be read: {error}") from None
+    return _read(path, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
+
+
+@lru_cache(maxsize=16)  # a flight asks several times, and reading takes 40 ms
+def _read(path: Path, stamp: tuple[int, ...]) -> PointMass:
+    """The file as it was at `stamp`; what has changed since has another stamp."""
     try:
         values = json.dumps(tomllib.loads(path.read_text(encoding="utf-8")), default=str)
         point_mass = PointMass.model_validate_json(values, strict=True)

@@ -19,6 +19,11 @@ def note(scenario: "Scenario") -> None:
 def announce(scenario: "Scenario") -> None:
     """Say what is worth knowing before a scenario is flown."""
     note(scenario)
+    compiling()
+
+
+def compiling() -> None:
+    """Say that kernels will be compiled, if they have yet to be."""
     from ftc_jsb.compiled import is_first_run
 
     if is_first_run("ftc_jsb.simulation.sample"):

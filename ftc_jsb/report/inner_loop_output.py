@@ -8,6 +8,7 @@ import matplotlib.pyplot as plt
 
 from ftc_jsb.aircraft.description import Aircraft, load_aircraft
 from ftc_jsb.aircraft.test_range import step_airspeeds
+from ftc_jsb.atomic_file import atomic_file, write_text
 from ftc_jsb.draft.aircraft_file import draft
 from ftc_jsb.inner_loop_design.criteria import criteria_missed
 from ftc_jsb.inner_loop_design.design import design, write_design
@@ -74,8 +75,9 @@ def report_steps(aircraft: list[Aircraft], folder: Path) -> tuple[str, list[str]
             missed += [f"{one.name} at {steps.airspeed:g} m/s: {what}" for what in unmet]
         if flown:
             figure = steps_figure(one.title, flown)
-            figure.savefig(folder / f"steps-{one.name}.png", dpi=DPI)
+            with atomic_file(folder / f"steps-{one.name}.png") as part:
+                figure.savefig(part, format="png", dpi=DPI)
             plt.close(figure)
     table = "\n".join(f"| {' | '.join(row)} |" for row in rows)
-    (folder / "steps.md").write_text(table + "\n", encoding="utf-8")
+    write_text(folder / "steps.md", table + "\n")
     return table, missed

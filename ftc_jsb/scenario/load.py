@@ -77,9 +77,19 @@ def parse_scenario(text: str, source: str) -> Scenario:
         ScenarioError: not TOML, or not a scenario.
     """
     try:
-        return _validated(tomllib.loads(text))
+        return scenario_of(tomllib.loads(text), source)
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"{source}: not TOML: {error}") from None
+
+
+def scenario_of(values: dict[str, Any], source: str) -> Scenario:
+    """Scenario of the contents of a file; `source` names it in messages.
+
+    Raises:
+        ScenarioError: not a scenario.
+    """
+    try:
+        return _validated(values)
     except ValidationError as error:
         raise ScenarioError(f"{source}: {first_problem(error, Scenario)}") from None
 

@@ -12,6 +12,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.limits import Limits
 from ftc_jsb.scenario.loop import Loop
+from ftc_jsb.scenario.model_error import ModelError
 from ftc_jsb.scenario.reference import Reference
 from ftc_jsb.scenario.sensors import Sensors
 from ftc_jsb.scenario.types import Text
@@ -94,6 +95,7 @@ class Scenario(Section):
     initial: Initial = Initial()
     reference: Reference
     loop: Loop = Loop()
+    model_error: ModelError = ModelError()
     fault: Annotated[tuple[Fault, ...], Field(max_length=16)] = ()
     sensors: Sensors = Sensors()
     wind: Wind = Wind()

@@ -24,6 +24,7 @@ from ftc_jsb.six_dof.weaving.engine_deck import (
 )
 from ftc_jsb.six_dof.weaving.faults import weave_faults
 from ftc_jsb.six_dof.weaving.installed import installed, model_file
+from ftc_jsb.six_dof.weaving.measured_signals import measured_structure
 from ftc_jsb.six_dof.weaving.numbers import check_whose
 from ftc_jsb.sources import source_digest
 
@@ -36,7 +37,7 @@ THROTTLE_SYSTEM = "ftc_throttles"
 INNER_LOOP = Path(__file__).with_name("inner_loop_structure.xml")
 
 
-def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
+def woven_aircraft(aircraft: Aircraft, corrected: bool, measured: bool = False) -> Path:
     """Root folder (`aircraft/`, `engine/`, `systems/`) of the woven aircraft, made if need be.
 
     The folder is named after all that goes into it, so a changed inner loop or another jsbsim
@@ -45,6 +46,7 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
     Args:
         aircraft: as loaded.
         corrected: apply the corrections of `aircraft.toml`; otherwise the stock flight control.
+        measured: the inner loop reads its sensors; otherwise the truth.
 
     Raises:
         AircraftError: the installed model or one of its files is missing, or an edit does not
@@ -61,7 +63,7 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
     digest.update(source_digest(__name__).encode())
     for path in (INNER_LOOP, model, numbers):
         digest.update(path.read_bytes())
-    digest.update(f"{aircraft.model_dump_json()}{corrected}".encode())
+    digest.update(f"{aircraft.model_dump_json()}{corrected}{measured}".encode())
     cache = Path(platformdirs.user_cache_dir("ftc-jsb")) / "aircraft"
     target = cache / f"{aircraft.name}-{digest.hexdigest()[:16]}"
     if target.is_dir():
@@ -71,6 +73,9 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool) -> Path:
         with tempfile.TemporaryDirectory(dir=cache) as scratch:
             woven = Path(scratch) / "woven"
             _weave(aircraft, corrected, numbers, woven)
+            if measured:
+                inner_loop = woven / "systems" / f"{INNER_LOOP_SYSTEM}.xml"
+                inner_loop.write_text(measured_structure(INNER_LOOP.read_text(encoding="utf-8")))
             try:
                 os.replace(woven, target)
             except OSError:
