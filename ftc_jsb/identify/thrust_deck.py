@@ -11,7 +11,7 @@ from ftc_jsb.identify.regression import Array, hats, products, second_difference
 
 MACH_STEP = 0.1
 ALTITUDE_STEP = 3048.0  # [m]: 10 000 ft, as engine decks are published
-# Where no flight has settled, thrust over density goes on as its neighbours': straight, or level.
+# Where no flight has settled, thrust over density goes on as at the neighbours: straight, else level.
 STRAIGHT, LEVEL = 1e-4, 1e-5  # of mean thrust: weights of second and first differences
 SEA_LEVEL_DENSITY = 1.225  # [kg/m^3]
 SETTLED = 150  # samples for which the throttle must have stood nearly still
