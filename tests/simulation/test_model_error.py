@@ -32,3 +32,12 @@ def test_drag_that_is_believed_larger_looks_like_effectiveness(flown):
     """
     wrong = flown("nominal", *LEVEL, "model_error.drag=1.2")
     assert wrong.record["effectiveness_thrust_est"][-1] == pytest.approx(1.2, abs=0.012)
+
+
+def test_jsbsim_flies_with_a_loop_that_is_wrong_about_its_mass(flown):
+    """The aircraft is still its own, its commands are others."""
+    wrong = flown("nominal", *LEVEL, "model='jsbsim'", "model_error.mass=1.3")
+    right = flown("nominal", *LEVEL, "model='jsbsim'")
+    assert wrong.outcome.status == "complete"
+    assert wrong.record["mass"][0] == right.record["mass"][0]
+    assert not np.array_equal(wrong.record["thrust_cmd"], right.record["thrust_cmd"])
