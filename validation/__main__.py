@@ -14,6 +14,7 @@ from ftc_jsb.errors import UserError
 from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.load import load_scenario, scenario_names
 from validation import margins, transports
+from validation.campaigns import robustness_section
 from validation.cost import cost_table, long_flights
 from validation.fighters import SCENARIOS, fighters_table
 from validation.flights import measured, random_manoeuvre
@@ -226,6 +227,14 @@ def main() -> int:
             "their 95 % χ² bands. With the paper's Q and R on the paper's noiseless plant, or on the "
             "F-16, the filter is not consistent and its σ is no confidence: Q and R are settings there.",
             consistency_section,
+        ),
+        (
+            "Campaign `robustness`",
+            "The first cases of the shipped [campaign](campaigns.md): five fighters, everything dispersed at "
+            "once; probability of leaving a limit with its 95 % interval. Failures with FTC by what they come "
+            "from: the same case without its fault fails, too; path or turn were given up for want of thrust; "
+            "neither.",
+            robustness_section,
         ),
         (
             "Cost of a step",
