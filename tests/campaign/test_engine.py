@@ -41,7 +41,9 @@ def undisturbed(file: Path) -> Rows:
 
 def started(file: Path, out: Path, *options: str) -> subprocess.Popen[str]:
     command = [sys.executable, "-m", "ftc_jsb", "campaign", str(file), "--out", str(out), *options]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    return subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
 
 
 def wait_for(condition: Any, seconds: float = 90.0) -> None:
@@ -66,13 +68,22 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
     subprocess.run(["umount", "-l", str(disk)], check=True)
 
 
-def test_killed_then_out_of_disk_then_resumed(
+def test_stopped_killed_out_of_disk_then_resumed(
     file: Path, undisturbed: Rows, small_disk: Path
 ) -> None:
     """Kill -9 of the client, a full disk, Ctrl-C's place: no finished batch is lost or flown again."""
     out = small_disk / "out"
     client = started(file, out, "--workers", "2")
-    wait_for(lambda: len(batches(out)) >= 3)
+    wait_for(lambda: len(batches(out)) >= 2)
+    os.killpg(client.pid, signal.SIGINT)  # as a terminal does: the workers get it, too
+    _, said = client.communicate(timeout=60)
+    assert client.returncode == 130, said
+    assert "--resume" in said
+    assert "Traceback" not in said
+
+    client = started(file, out, "--workers", "2", "--resume")
+    there = len(batches(out))
+    wait_for(lambda: len(batches(out)) >= there + 2)
     client.kill()
     client.communicate()
     before = batches(out)
