@@ -8,7 +8,6 @@ from typing import Any
 
 from ftc_jsb.errors import LinkError
 
-MEMORY = "500MB"  # of a local worker
 PATIENCE = 30.0  # [s] for the first worker to come
 
 
@@ -37,7 +36,7 @@ def connected(address: str | None, workers: int | None) -> Iterator[Any]:
                 LocalCluster(
                     n_workers=workers or os.cpu_count() or 1,
                     threads_per_worker=1,
-                    memory_limit=MEMORY,
+                    memory_limit=0,  # compiling takes more than flying: it must not end a worker
                     silence_logs=logging.ERROR,
                     dashboard_address=":0",
                 ) as cluster,

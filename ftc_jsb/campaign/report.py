@@ -8,12 +8,12 @@ from ftc_jsb.campaign.case import Bases, case_of, scenario_of_case
 from ftc_jsb.campaign.load import FILE, load_campaign
 from ftc_jsb.campaign.page.write import page, percent
 from ftc_jsb.campaign.parquet import writing
-from ftc_jsb.campaign.store import PROVENANCE, RESULTS
+from ftc_jsb.campaign.store import PROVENANCE, RESULTS, SEARCH, SUBSET
 from ftc_jsb.campaign.summary import read_table, summary
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.scenario.load import scenario_toml
 
-WORST, SEARCH, SUBSET = "worst", "search.json", "subset.json"
+WORST = "worst"
 
 
 def write_campaign_report(folder: Path) -> dict[str, Any]:
@@ -74,6 +74,27 @@ def lines(document: dict[str, Any]) -> list[str]:
         f"cases, only the second in {pair['only_second_fails']} of {pair['cases']}"
         for pair in document["pairs"]
     ]
+    return found + _adaptive_lines(document)
+
+
+def _adaptive_lines(document: dict[str, Any]) -> list[str]:
+    found = []
+    search, subset = document["search"], document["subset"]
+    if search is not None:
+        found.append(
+            f"search by {search['method']}: {search['failures']} of {search['flights']} flights fail, "
+            f"the first is number {search['first_failure'] or '–'}"
+        )
+        if "random_flights" in search:
+            found.append(
+                f"at random: {search['random_failures']} of {search['random_flights']}, "
+                f"the first is number {search['random_first_failure'] or '–'}"
+            )
+    if subset is not None:
+        found.append(
+            f"subset simulation: probability {subset['probability']:.3g}, coefficient of variation "
+            f"{subset['coefficient_of_variation']:.2f}, {subset['flights']} flights"
+        )
     return found
 
 

@@ -30,9 +30,9 @@ class Flown(NamedTuple):
     stopped: bool  # by its rule, before all its cases
 
 
-def made() -> dict[str, Any]:
-    """With what a campaign is flown."""
-    return {"code": code_digest(), "versions": versions(), "machine": machine()}
+def made(purpose: str = "sampling") -> dict[str, Any]:
+    """With what a campaign is flown, and what for."""
+    return {"purpose": purpose, "code": code_digest(), "versions": versions(), "machine": machine()}
 
 
 def work_of(bases: Bases, keep: str | None = None) -> Work:
@@ -58,9 +58,7 @@ def fly_campaign(bases: Bases, folder: Path, client: Any, resume: bool, told: To
     with opened(folder, bases, made(), resume) as store:
         if store.complete:
             _keep_worst(bases, store, client)
-            return Flown(
-                len({row["case"] for row in read_rows(folder / RESULTS, ["case"])}), 0, False
-            )
+            return Flown(store.cases(), 0, False)
         looks = Looks(campaign.stop)
         looks.add(store.rows(COLUMNS))
         finished = store.finished()

@@ -35,7 +35,7 @@ class Search(Section):
 
     flights: int = Field(200, ge=10, le=1_000_000)  # budget
     objective: Text = "margin"  # the metric that is made small
-    method: Literal["cma-es", "differential-evolution", "local", "random"] = "local"
+    method: Literal["cma-es", "differential-evolution", "random"] = "cma-es"
     baseline: bool = True  # as many flights at random, to compare
 
 

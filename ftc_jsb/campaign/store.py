@@ -15,6 +15,8 @@ from ftc_jsb.campaign.parquet import merge, read_rows, write_rows, writing
 from ftc_jsb.errors import RecordingError
 
 RESULTS, BATCHES, RECORDINGS, PROVENANCE = "results.parquet", "batches", "recordings", "made.json"
+SEARCH, SUBSET = "search.json", "subset.json"
+_OLD = (RESULTS, SEARCH, SUBSET)  # of another campaign that was there
 
 
 class Store:
@@ -71,6 +73,10 @@ class Store:
         for path in self.batches():
             path.unlink()
 
+    def cases(self) -> int:
+        """Cases in `results.parquet`."""
+        return len({row["case"] for row in read_rows(self.folder / RESULTS, ["case"])})
+
     @property
     def complete(self) -> bool:
         """Whether all of the campaign is flown."""
@@ -99,7 +105,10 @@ def opened(folder: Path, bases: Bases, made: dict[str, Any], resume: bool) -> It
             if (folder / FILE).is_file() and resume:
                 _check_same(folder, bases, made)
             else:
-                for path in (folder / RESULTS, *(folder / BATCHES).glob("*.parquet")):
+                for path in (
+                    *(folder / name for name in _OLD),
+                    *(folder / BATCHES).glob("*.parquet"),
+                ):
                     path.unlink(missing_ok=True)
                 with writing(folder / PROVENANCE) as part:
                     part.write_text(json.dumps(made, indent=2) + "\n", encoding="utf-8")
@@ -127,6 +136,10 @@ def _check_same(folder: Path, bases: Bases, made: dict[str, Any]) -> None:
         there = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise RecordingError(f"{folder / PROVENANCE}: cannot be read: {error}") from None
+    if there.get("purpose") != made["purpose"]:
+        raise RecordingError(
+            f"{folder}: was begun as {there.get('purpose')}, not {made['purpose']}; give another --out"
+        )
     if there.get("code") != made["code"]:
         raise RecordingError(
             f"{folder}: was begun with another version of ftc-jsb, of a package or of an aircraft; "

@@ -64,16 +64,22 @@ def duration(seconds: float) -> str:
 
 def run(bases: "Bases", options: Options) -> None:
     """Fly a campaign or search it, and write its report."""
+    from ftc_jsb.campaign.adaptive import search_campaign, subset_campaign
     from ftc_jsb.campaign.run import fly_campaign
     from ftc_jsb.cli.announcement import compiling
     from ftc_jsb.runs.output_folder import output_folder
 
+    fly = fly_campaign
+    if options.search:
+        fly = search_campaign
+    elif bases.campaign.subset is not None:
+        fly = subset_campaign
     accepted = options.force or options.resume
     with output_folder(options.out, bases.campaign.name, accepted) as folder:
         compiling()
         try:
             with _cluster(options) as client:
-                flown = fly_campaign(bases, folder, client, options.resume, Rate())
+                flown = fly(bases, folder, client, options.resume, Rate())
         except KeyboardInterrupt:
             message(f"interrupted; what was flown is saved: go on with --resume --out {folder}")
             sys.exit(INTERRUPTED)

@@ -22,6 +22,7 @@ from ftc_jsb.typed_file import Section
 Model = Literal["paper", "identified", "jsbsim"]
 
 
+TITLE_LENGTH, DESCRIPTION_LENGTH = 300, 4000  # characters
 LONGEST_RECORDING = 4_000_000  # samples: 11 h at 100 Hz, about 3 GB
 
 
@@ -86,8 +87,8 @@ class Scenario(Section):
     """A whole scenario file."""
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]
-    title: str = Field("", max_length=300)
-    description: str = Field("", max_length=4000)
+    title: str = Field("", max_length=TITLE_LENGTH)
+    description: str = Field("", max_length=DESCRIPTION_LENGTH)
     duration: float = Field(60.0, gt=0.0, le=86400.0)  # s
     model: Model = "paper"
     seed: int = Field(0, ge=0, le=2**31 - 1)
