@@ -63,7 +63,7 @@ def test_lyapunov_function_obeys_its_bound(loop):
     # with no fault and exact knowledge what is left decays: the bound is not met by being infinite
     exact = loop.fly(
         reference, lambda t: np.ones(1), np.array([0.2, 0.5]), np.array([0.5]), 20.0,
-        SETTINGS._replace(adaptive=False, zeta=200.0),
+        SETTINGS._replace(loop="oracle", zeta=200.0),
     )  # fmt: skip
     after = exact.time > 1.0
     quiet = lyapunov_bound(
@@ -77,7 +77,7 @@ def test_remainder_goes_to_zero_with_zeta(loop):
     """Lim zeta -> infinity of (10): the largest ||O|| in quiet flight falls at each step up of zeta."""
     sizes = []
     for zeta in (5.0, 10.0, 20.0, 50.0, 100.0):
-        history = fly(loop, zeta=zeta, adaptive=False)
+        history = fly(loop, zeta=zeta, loop="oracle")
         sizes.append(np.abs(history.residual[history.time > 10.0]).max())
     assert all(later < earlier for earlier, later in itertools.pairwise(sizes))
     assert sizes[-1] < 0.05 * sizes[0]

@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 from ftc_jsb.estimation.augmented import augmented_step
-from ftc_jsb.theory.discrete_model import make_propagate
 from ftc_jsb.theory.generated import generate
-from ftc_jsb.theory.joint_filter import FilterSettings, make_filter
+from ftc_jsb.theory.kernels.joint_filter import SOUND, FilterSettings
 from ftc_jsb.theory.linearization import linearize
 from ftc_jsb.theory.system import System
 from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity
@@ -18,9 +17,8 @@ def compare(system: System, start: np.ndarray, q: np.ndarray, r: np.ndarray, obs
     """Largest differences, in standard deviations, of 200 steps of both forms from the same start."""
     kernels = generate(linearize(system))
     n = len(start)
-    step = make_filter(kernels, n, 3, 3)
-    settings = FilterSettings(q, r, spread=3.0, floor=0.0, dt=DT)
-    propagate = make_propagate(kernels)
+    settings = FilterSettings(q, r, spread=3.0, floor=0.0, dt=DT, extended=False)
+    propagate = kernels.propagate
     scratch = np.zeros((5, n))
     p = kernels.parameters
     random = np.random.default_rng(5)
@@ -30,15 +28,15 @@ def compare(system: System, start: np.ndarray, q: np.ndarray, r: np.ndarray, obs
 
     def process(point):
         x = point[:n].copy()
-        propagate(x, u, point[n:], p, DT, scratch)
+        propagate(False, x, u, point[n:], p, DT, scratch)
         return np.concatenate([x, point[n:]])
 
     for i in range(200):
         u = np.array([60e3, 1.5 + 0.5 * np.sin(0.1 * i), 0.6 * np.sin(0.05 * i)])
-        propagate(truth, u, np.array([0.8, 1.0, 1.0]), p, DT, scratch)
+        propagate(False, truth, u, np.array([0.8, 1.0, 1.0]), p, DT, scratch)
         y = observe(truth) + random.standard_normal(3) * np.sqrt(r)
-        x_aug, cov_aug = augmented_step(process, observe, z, cov, np.diag(q), np.diag(r), y)
-        step(z, cov, u, y, p, settings)
+        x_aug, cov_aug = augmented_step(process, observe, z, cov, np.diag(np.append(q, r)), y)
+        assert kernels.estimate(z, cov, u, y, p, settings) == SOUND
         deviation = np.sqrt(np.diag(cov_aug))
         worst = max(worst, np.abs((z - x_aug) / deviation).max())
     return worst

@@ -9,6 +9,15 @@ _NORTH, _EAST, _ALTITUDE = sp.symbols("north east altitude", real=True)
 _THRUST, _LOAD_FACTOR, _BANK = sp.symbols("T n bank", real=True)
 _MASS, _G, _RHO, _S, _CD0, _CDK = sp.symbols("m g rho S C_D0 k_D", positive=True)
 
+_PI = 3.141592653589793
+_RANGES = {  # Omega_x: what the paper's flight needs, with room
+    _V: (250.0, 340.0),
+    _PATH: (-0.15, 0.15),
+    _HEADING: (-_PI, _PI),
+    _THRUST: (0.0, 113868.0),
+    _LOAD_FACTOR: (0.5, 4.0),
+    _BANK: (-1.4, 1.4),
+}
 _TABLE_1 = {_MASS: 14515.0, _G: 9.81, _RHO: 1.2251, _S: 37.16, _CD0: 0.02, _CDK: 0.1}
 
 
@@ -37,7 +46,9 @@ def fighter_by_velocity() -> System:
     """The paper's example: x = y = [V, gamma, chi], u = [T, n, bank]."""
     states: Symbols = (_V, _PATH, _HEADING)
     inputs = (_THRUST, _LOAD_FACTOR, _BANK)
-    return System("fighter_by_velocity", states, inputs, _TABLE_1, _velocity_rates(), states)
+    return System(
+        "fighter_by_velocity", states, inputs, _TABLE_1, _velocity_rates(), states, ranges=_RANGES
+    )
 
 
 def fighter_by_position() -> System:
@@ -46,4 +57,8 @@ def fighter_by_position() -> System:
     states = (_V, _PATH, _HEADING, *position)
     inputs = (_THRUST, _LOAD_FACTOR, _BANK)
     dynamics = (*_velocity_rates(), *_position_rates())
-    return System("fighter_by_position", states, inputs, _TABLE_1, dynamics, position)
+    reach = dict.fromkeys(position, (-20e3, 20e3))  # [m]
+    return System(
+        "fighter_by_position", states, inputs, _TABLE_1, dynamics, position,
+        ranges={**_RANGES, **reach},
+    )  # fmt: skip

@@ -10,4 +10,5 @@ def textbook_plant() -> System:
     x1, x2, u = sp.symbols("x1 x2 u", real=True)
     tenth = sp.Rational(1, 10)
     rate = x1**2 + sp.Rational(15, 100) * u**3 + tenth * (1 + x2**2) * u + sp.sin(tenth * u)
-    return System("textbook_plant", (x1, x2), (u,), {}, (x2, rate), (x1,))
+    ranges = {u: (-2.0, 2.0)}
+    return System("textbook_plant", (x1, x2), (u,), {}, (x2, rate), (x1,), ranges=ranges)
