@@ -21,6 +21,7 @@ from ftc_jsb.cli.margins import margins
 from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
+from ftc_jsb.cli.theory import theory
 from ftc_jsb.errors import UserError
 
 
@@ -49,6 +50,6 @@ def main() -> None:
 
 for _command in (
     bench, check, compare, convert, export, figures, fly,
-    identify, inner_loop, list_, margins, replay, report,
+    identify, inner_loop, list_, margins, replay, report, theory,
 ):  # fmt: skip
     main.add_command(_command)

@@ -60,7 +60,9 @@ def unbounded(system: System) -> tuple[str, ...]:
     for row in range(slope.rows):
         for column, by in enumerate(system.inputs):
             element = slope[row, column]
-            grows = [str(u) for u in system.inputs if u in element.free_symbols and _grows(element, u)]
+            grows = [
+                str(u) for u in system.inputs if u in element.free_symbols and _grows(element, u)
+            ]
             if grows:
                 rate = f"{system.states[row]}'"
                 found.append(f"d({rate})/d{by} grows without limit with {', '.join(grows)}")

@@ -68,7 +68,9 @@ def largest(matrix: sp.Matrix, box: Mapping[sp.Symbol, Range]) -> Enclosure:
 class _Norm:
     """Value at a point, and upper bound over a box, of the norm of a matrix."""
 
-    def __init__(self, evaluate: Callable[..., Any], constants: Sequence[float], shape: Any) -> None:
+    def __init__(
+        self, evaluate: Callable[..., Any], constants: Sequence[float], shape: Any
+    ) -> None:
         self._evaluate, self._shape = evaluate, shape
         self._constants = [_ball(value, value) for value in constants]
 
@@ -100,7 +102,9 @@ def _bisect(norm: _Norm, low: Any, high: Any) -> Enclosure:
     size = len(low)
     met = norm.at((low + high) / 2.0)
     if size <= CORNERS:
-        met = max([met, *(norm.at(corner) for corner in itertools.product(*zip(low, high, strict=True)))])
+        met = max(
+            [met, *(norm.at(corner) for corner in itertools.product(*zip(low, high, strict=True)))]
+        )
     number = itertools.count()
     waiting = [(-norm.above(low, high), next(number), low, high)]
     for _ in range(SPLITS):

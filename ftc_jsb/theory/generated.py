@@ -44,6 +44,7 @@ class Kernels(NamedTuple):
     estimate: Kernel  # `kernels/joint_filter.py`
     law: Kernel  # `kernels/law.py`
     run: Kernel  # `kernels/closed_loop.py`
+    package: str  # that holds them
     scratch: int  # length of the law's working space
     parameters: Array  # (parameters,)
     plant_parameters: Array
@@ -63,11 +64,31 @@ def generate(linearization: Linearization, plant: System | None = None) -> Kerne
         _check_plant(linearization.system, plant)
     source = _source(linearization, plant)
     package = _imported(linearization.system.name, source)
+    flown = plant or linearization.system
+    return imported_kernels(package, _values(linearization.system), _values(flown))
+
+
+def imported_kernels(package: str, parameters: Array, plant_parameters: Array) -> Kernels:
+    """Kernels of a package that `generate` has written.
+
+    Args:
+        package: its name.
+        parameters: (parameters,), of the model.
+        plant_parameters: likewise.
+
+    Raises:
+        ImportError: it is not there.
+    """
+    if package not in sys.modules:
+        folder = kernel_cache(__name__) / "generated" / package
+        if not (folder / "system.py").is_file():
+            raise ImportError(package)
+        sys.modules[package] = _package(package, folder)
     parts = {
         name: importlib.import_module(f"{package}.{name}")
         for name in ("system", "discrete_model", "joint_filter", "law", "closed_loop")
     }
-    system, flown = parts["system"], plant or linearization.system
+    system = parts["system"]
     return Kernels(
         system.dynamics,
         system.outputs,
@@ -78,9 +99,10 @@ def generate(linearization: Linearization, plant: System | None = None) -> Kerne
         parts["joint_filter"].estimate,
         parts["law"].law,
         parts["closed_loop"].run,
+        package,
         parts["law"].SCRATCH,
-        _values(linearization.system),
-        _values(flown),
+        parameters,
+        plant_parameters,
     )
 
 

@@ -62,7 +62,9 @@ class System:
             for number, expression in enumerate(expressions):
                 unknown = sp.sympify(expression).free_symbols - {*self.states, *self.parameters}
                 if unknown:
-                    raise self._error(f"{kind} {number}: {_names(unknown)} is no state or parameter")
+                    raise self._error(
+                        f"{kind} {number}: {_names(unknown)} is no state or parameter"
+                    )
         unknown = set(self.fallible) - set(self.inputs)
         if unknown:
             raise self._error(f"fallible: {_names(unknown)} is no input")
@@ -95,9 +97,7 @@ class System:
             symbol: factor * symbol
             for symbol, factor in zip(self.inputs, self.effectiveness, strict=True)
         }
-        return sp.Matrix(
-            [sp.sympify(rate).xreplace(lost) for rate in self.dynamics]
-        )
+        return sp.Matrix([sp.sympify(rate).xreplace(lost) for rate in self.dynamics])
 
 
 def effectiveness_symbol(symbol: sp.Symbol) -> sp.Symbol:

@@ -25,6 +25,7 @@ def general_law(kernels, x, u_n, k, reference, gain):
     status = kernels.law(x, u_n, k, kernels.parameters, reference, tuning, scratch, u)
     return u, status
 
+
 state = st.tuples(st.floats(150.0, 400.0), st.floats(-1.0, 1.0), st.floats(-3.0, 3.0)).map(np.array)
 trim = st.tuples(st.floats(0.0, 110e3), st.floats(0.3, 6.0), st.floats(-1.4, 1.4)).map(np.array)
 factors = st.tuples(*[st.floats(0.2, 1.0)] * 3).map(np.array)

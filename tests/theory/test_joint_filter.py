@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
+from ftc_jsb.errors import TheoryError
 from ftc_jsb.estimation.augmented import augmented_step
+from ftc_jsb.theory.closed_loop import ClosedLoop, Settings
+from ftc_jsb.theory.gains import placed_gains
 from ftc_jsb.theory.generated import generate
 from ftc_jsb.theory.kernels.joint_filter import SOUND, FilterSettings
 from ftc_jsb.theory.linearization import linearize
@@ -77,3 +80,50 @@ def test_position_outputs_are_linear_in_the_state_and_so_equal():
     start = np.array([300.0, 0.0, 0.0, 0.0, 0.0, 3048.0])
     worst = compare(fighter_by_position(), start, q, np.array([1e-2] * 3), lambda x: x[3:6])
     assert worst == pytest.approx(0.0, abs=1e-6)
+
+
+def test_five_states_and_a_range_keep_their_covariance():
+    """A spread of 3 over 6 states has a negative centre weight, and a range seen from near by makes
+    P_yy + R negative: that is an error with its time. The loop's own spread is sound.
+    """
+    import sympy as sp
+
+    x = sp.symbols("x1:6", real=True)
+    u = sp.Symbol("u", real=True)
+    rates = (x[1], sp.sinh(u), -x[2], -x[3], -x[4])
+    distance = sp.sqrt(x[2] ** 2 + x[3] ** 2 + x[4] ** 2 + sp.Rational(1, 10**6))
+    system = System("near", x, (u,), {}, rates, (x[0],), measured=(x[0], distance))
+    linear = linearize(system)
+    a, b, _ = linear.brunovsky()
+    loop = ClosedLoop(linear, placed_gains(a, b, np.array([-1.0, -2.0])))
+    noise = np.full(6, 1e-4)
+    settings = Settings(0.01, 50.0, noise, np.array([1e-4, 1e-6]), np.ones(6))
+    flight = (
+        lambda t: (np.zeros(2), np.zeros(1)), lambda t: np.ones(1), np.zeros(5), np.zeros(1), 2.0,
+    )  # fmt: skip
+    with pytest.raises(
+        TheoryError, match="covariance of the innovation is not positive definite at 0"
+    ):
+        loop.fly(*flight, settings._replace(spread=3.0))
+    history = loop.fly(*flight, settings)
+    assert np.abs(history.estimate).max() < 3.0
+    assert (history.deviation > 0.0).all()
+
+
+def test_literal_form_has_the_cross_covariance_of_25():
+    """P_vxi in the augmented covariance, a linear system: the Kalman filter for correlated noise, 1e-12.
+
+    P_yy gains H P_vxi + P_xiv H^T and P_xy gains P_vxi, since the noise of the step enters both.
+    """
+    random = np.random.default_rng(3)
+    f, h = random.standard_normal((3, 3)), random.standard_normal((2, 3))
+    root = random.standard_normal((5, 5))
+    noise = root @ root.T
+    q, cross, r = noise[:3, :3], noise[:3, 3:], noise[3:, 3:]
+    x, p, y = random.standard_normal(3), np.diag([1.0, 2.0, 3.0]), random.standard_normal(2)
+    found, covariance = augmented_step(lambda z: f @ z, lambda z: h @ z, x, p, noise, y)
+    ahead = f @ p @ f.T + q
+    pyy = h @ ahead @ h.T + r + h @ cross + cross.T @ h.T
+    gain = (ahead @ h.T + cross) @ np.linalg.inv(pyy)
+    np.testing.assert_allclose(found, f @ x + gain @ (y - h @ f @ x), atol=1e-10)
+    np.testing.assert_allclose(covariance, ahead - gain @ pyy @ gain.T, atol=1e-10)

@@ -21,7 +21,11 @@ def beside(rate, states=(X1, X2)):
 
 @pytest.mark.parametrize(
     ("rate", "verdict", "zero"),
-    [(X1 - 3 * X2, "stable", -3.0), (X1 + 2 * sp.sin(X2), "unstable", 2.0), (X2**3, "undecided", 0)],
+    [
+        (X1 - 3 * X2, "stable", -3.0),
+        (X1 + 2 * sp.sin(X2), "unstable", 2.0),
+        (X2**3, "undecided", 0),
+    ],
 )
 def test_zeros_are_those_of_the_hidden_state(rate, verdict, zero):
     found = zero_dynamics(linearize(beside(rate)), [0.0, 0.0], [0.0])

@@ -84,9 +84,7 @@ class LoopState(NamedTuple):
 
 
 @compiled
-def run(
-    state: LoopState, world: World, constants: Constants, history: History
-) -> tuple[int, int]:
+def run(state: LoopState, world: World, constants: Constants, history: History) -> tuple[int, int]:
     """A flight in one call, along the reference that `history` holds.
 
     Returns:
@@ -105,7 +103,14 @@ def run(
             k[j] = max(known[STATES + j], constants.filter.floor)
         now = Reference(history.reference[i].copy(), history.derivative[i].copy())
         status = law(
-            known[:STATES], state.u_n, k, constants.parameters, now, constants.tuning, scratch, state.u
+            known[:STATES],
+            state.u_n,
+            k,
+            constants.parameters,
+            now,
+            constants.tuning,
+            scratch,
+            state.u,
         )
         if status != SOLVED:
             return status, i

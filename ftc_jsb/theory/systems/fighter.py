@@ -1,7 +1,10 @@
 """The fighter (41)-(43), tracked by velocity as in the paper (index 1, 1, 1) or by position (2, 2, 2)."""
 
+import numpy as np
 import sympy as sp
 
+from ftc_jsb.theory.case import TIME, Case
+from ftc_jsb.theory.closed_loop import Settings
 from ftc_jsb.theory.system import Expressions, Symbols, System
 
 _V, _PATH, _HEADING = sp.symbols("V gamma chi", real=True)
@@ -62,3 +65,24 @@ def fighter_by_position() -> System:
         "fighter_by_position", states, inputs, _TABLE_1, dynamics, position,
         ranges={**_RANGES, **reach},
     )  # fmt: skip
+
+
+def fighter_case() -> Case:
+    """A weaving climb at 300 m/s with three estimated channels; from 20 s on 0.6 of the thrust is left."""
+    degree = sp.pi / 180
+    noise = np.array([1e-10] * 3 + [1e-8] * 3)
+    return Case(
+        "The paper's fighter by velocity, 0.6 of the thrust from 20 s on",
+        fighter_by_velocity(),
+        ((-1.0,),) * 3,
+        (
+            sp.Integer(300),
+            3 * degree * sp.sin(TIME / 8) ** 2,
+            30 * degree * sp.sin(TIME / 6),
+        ),
+        (300.0, 0.0, 0.0),
+        (42e3, 2.8, 1.2),
+        60.0,
+        Settings(0.01, 50.0, noise, np.full(3, 1e-10), np.array([1e-6, 1e-8, 1e-8] + [1e-4] * 3)),
+        {_THRUST: sp.Piecewise((1, TIME < 20), (sp.Rational(3, 5), True))},
+    )
