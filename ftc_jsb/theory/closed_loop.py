@@ -117,7 +117,7 @@ class ClosedLoop:
             TheoryError: G of (14) is singular on the way, a covariance is no longer positive
                 definite, or the state leaves the finite numbers; says where.
         """
-        self._warn(initial, trim)
+        warn_of_zero_dynamics(self.linearization, initial, trim)
         history, world = self._prepare(reference, effectiveness, duration, settings, conditions)
         status, row = self.kernels.run(
             self._start(initial, trim, settings, conditions),
@@ -128,18 +128,6 @@ class ClosedLoop:
         if status != SOLVED:
             raise TheoryError(self._explain(status, row, history))
         return history
-
-    def _warn(self, initial: Array, trim: Array) -> None:
-        found = zero_dynamics(self.linearization, list(initial), list(trim))
-        if found.verdict == "unstable":
-            worst = found.zeros[np.argmax(found.zeros.real)]
-            warnings.warn(
-                f"system {self.linearization.system.name!r}: zero dynamics of dimension "
-                f"{found.dimension} are unstable at the start: a zero at {worst:.3g} 1/s; outputs "
-                "can be held while the states run away",
-                TheoryWarning,
-                stacklevel=3,
-            )
 
     def _prepare(
         self,
@@ -241,6 +229,20 @@ class ClosedLoop:
             f"system {system.name!r}: G of (14) is singular at {at}: input {system.inputs[status]} "
             f"moves no output of its own there, or too little of it; state {where}, u_n "
             f"{history.trim[row].tolist()}"
+        )
+
+
+def warn_of_zero_dynamics(linearization: Linearization, initial: Array, trim: Array) -> None:
+    """Warn where the states that the outputs do not show run away from the start of a flight."""
+    found = zero_dynamics(linearization, list(initial), list(trim))
+    if found.verdict == "unstable":
+        worst = found.zeros[np.argmax(found.zeros.real)]
+        warnings.warn(
+            f"system {linearization.system.name!r}: zero dynamics of dimension {found.dimension} are "
+            f"unstable at the start: a zero at {worst:.3g} 1/s; outputs can be held while the states "
+            "run away",
+            TheoryWarning,
+            stacklevel=3,
         )
 
 

@@ -112,7 +112,10 @@ def _values(system: System) -> Array:
 
 def _imported(name: str, source: str) -> str:
     """Name of the imported package that holds a system's source and the kernels."""
-    package = f"ftc_jsb_{_identifier(name)}_{hashlib.sha256(source.encode()).hexdigest()[:12]}"
+    digest = hashlib.sha256(source.encode())
+    for file in sorted(TEMPLATE.glob("*.py")):
+        digest.update(file.read_bytes())
+    package = f"ftc_jsb_{_identifier(name)}_{digest.hexdigest()[:12]}"
     if package in sys.modules:
         return package
     root = kernel_cache(__name__) / "generated"

@@ -18,7 +18,7 @@ def test_example_of_the_page_is_analysed_and_flown(tmp_path):
     """
     file = tmp_path / "pendulum.py"
     file.write_text(PAGE.read_text().split("```python")[1].split("```")[0])
-    done = run("theory", str(file), "--out", str(tmp_path / "out"))
+    done = run("theory", str(file), "--out", str(tmp_path / "out"), cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert "index of each output: 2" in done.stdout
     assert "tanh" in done.stdout
@@ -49,7 +49,7 @@ def test_file_that_is_no_case_is_one_sentence(tmp_path, text, says):
     file = tmp_path / "none.py"
     if text is not None:
         file.write_text(text)
-    done = run("theory", str(file), "--out", str(tmp_path / "out"))
+    done = run("theory", str(file), "--out", str(tmp_path / "out"), cwd=tmp_path)
     assert done.returncode == 2
     assert says in done.stderr
     assert "Traceback" not in done.stderr

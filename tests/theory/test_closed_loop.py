@@ -61,7 +61,7 @@ def test_remainder_goes_to_zero_with_zeta(loop):
         steps.append(np.abs(history.command - history.trim)[late].max())
         errors.append(np.abs(history.error[late]).max())
     assert all(later < earlier for earlier, later in itertools.pairwise(steps))
-    assert steps[-1] < 0.06 * steps[0]
+    assert steps[-1] < 1.5 * 5.0 / 100.0 * steps[0]  # as 1 / zeta
     assert errors[-1] < errors[0]
 
 
@@ -92,22 +92,11 @@ def test_gain_that_is_not_hurwitz_never_flies():
         ClosedLoop(linear, given_gains(a, b, np.array([[1.0, -1.0]])))
 
 
-def test_step_that_no_input_can_make_is_singular():
-    """x' = 1e-300 u: the command would be 1e300, and one pivot says nothing about its own size."""
-    import sympy as sp
-
-    x, u = sp.symbols("x u", real=True)
-    linear = linearize(System("weak", (x,), (u,), {}, (sp.Rational(1, 10**300) * u,), (x,)))
-    a, b, _ = linear.brunovsky()
-    weak = ClosedLoop(linear, placed_gains(a, b, np.array([-1.0])))
-    noise = np.array([1e-6, 1e-6])
+def test_covariance_that_fails_is_an_error_with_its_time(loop):
     with pytest.raises(
-        TheoryError, match="input u moves no output of its own there, or too little"
+        TheoryError, match=r"covariance of the innovation is not positive .* 0\.005 s"
     ):
-        weak.fly(
-            lambda t: (np.ones(1), np.zeros(1)), lambda t: np.ones(1), np.zeros(1), np.zeros(1), 1.0,
-            Settings(0.01, 50.0, noise, np.array([1e-6]), noise),
-        )  # fmt: skip
+        loop.fly(*FLIGHT, SETTINGS._replace(measurement_noise=np.array([-1.0])))
 
 
 def test_conditions_of_a_flight_are_met(loop):
@@ -118,13 +107,11 @@ def test_conditions_of_a_flight_are_met(loop):
     late = flights["ftc"].time > 10.0
     with_it, without = (np.abs(flights[name].error[late]).max() for name in ("ftc", "no-ftc"))
     assert with_it < 0.05 * without
-    held = loop.fly(
-        *FLIGHT,
-        SETTINGS,
-        Conditions(low=np.array([-1.0]), high=np.array([1.0]), rate=np.array([5.0])),
-    )
-    assert np.abs(held.command).max() <= 1.0
-    assert np.abs(np.diff(held.command[:, 0])).max() <= 5.0 * SETTINGS.dt * (1 + 1e-12)
+    limits = Conditions(low=np.array([-2.1]), high=np.array([2.1]), rate=np.array([20.0]))
+    held = loop.fly(reference, loss, np.array([0.0, 0.5]), np.zeros(1), 20.0, SETTINGS, limits)
+    assert np.abs(held.command).max() <= 2.1
+    assert np.abs(np.diff(held.command[:, 0])).max() <= 20.0 * SETTINGS.dt * (1 + 1e-9)
+    assert not np.array_equal(held.command, held.wanted)
     lagging = loop.fly(*FLIGHT, SETTINGS, Conditions(lag=np.array([0.05])))
     assert not np.allclose(lagging.delivered, lagging.command * lagging.effectiveness, atol=1e-3)
     noisy = [

@@ -1,6 +1,7 @@
 """The fighter's hand-written kernels are instances of the general theory: equal to 1e-12."""
 
 import numpy as np
+import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -10,6 +11,7 @@ from ftc_jsb.point_mass.dynamics import velocity
 from ftc_jsb.theory.generated import generate
 from ftc_jsb.theory.kernels.law import SOLVED, Reference, Tuning
 from ftc_jsb.theory.linearization import linearize
+from ftc_jsb.theory.system import System
 from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity
 from tests.point_mass.models import PAPER, law, rates
 
@@ -102,3 +104,25 @@ def test_singular_gain_is_told_with_its_input():
     x = np.array([300.0, 0.0, 0.0])
     _, status = general_law(VELOCITY, x, u, np.ones(3), Reference(x, x), np.eye(3))
     assert status == 2
+
+
+def test_step_that_no_input_can_make_is_singular():
+    """1e-30 u for a rate of 1: the step would be 1e30, and one pivot says nothing about its own size."""
+    x, u = sp.symbols("x u", real=True)
+    weak = generate(linearize(System("weak", (x,), (u,), {}, (sp.Rational(1, 10**30) * u,), (x,))))
+    one, command = np.ones(1), np.zeros(1)
+    arguments = (np.zeros(1), np.zeros(1), one, weak.parameters, Reference(one, one))
+    tuning = Tuning(np.ones((1, 1)), one, np.zeros(1))
+    assert weak.law(*arguments, tuning, np.zeros(weak.scratch), command) == 0
+    assert abs(command[0]) > 1e29
+
+
+def test_allocation_takes_the_least_step_that_does_it():
+    """X' = u + 3 w: u + 3 w is what is demanded, shared as 1 to 3, and away from the preferred inputs."""
+    x, u, w = sp.symbols("x u w", real=True)
+    shared = generate(linearize(System("shared", (x,), (u, w), {}, (u + 3 * w,), (x,))))
+    preferred, command, one = np.array([1.0, 0.0]), np.zeros(2), np.ones(1)
+    arguments = (np.zeros(1), np.zeros(2), np.ones(2), shared.parameters, Reference(one, one))
+    tuning = Tuning(np.ones((1, 1)), np.ones(2), preferred)
+    assert shared.law(*arguments, tuning, np.zeros(shared.scratch), command) == SOLVED
+    np.testing.assert_allclose(command, [1.1, 0.3])  # demanded: 2

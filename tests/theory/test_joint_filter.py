@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
-from ftc_jsb.errors import TheoryError
 from ftc_jsb.estimation.augmented import augmented_step
-from ftc_jsb.theory.closed_loop import ClosedLoop, Settings
-from ftc_jsb.theory.gains import placed_gains
 from ftc_jsb.theory.generated import generate
-from ftc_jsb.theory.kernels.joint_filter import SOUND, FilterSettings
+from ftc_jsb.theory.kernels.joint_filter import (
+    INNOVATION_NOT_DEFINITE,
+    SOUND,
+    FilterSettings,
+)
 from ftc_jsb.theory.linearization import linearize
 from ftc_jsb.theory.system import System
 from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity
@@ -83,31 +84,28 @@ def test_position_outputs_are_linear_in_the_state_and_so_equal():
 
 
 def test_five_states_and_a_range_keep_their_covariance():
-    """A spread of 3 over 6 states has a negative centre weight, and a range seen from near by makes
-    P_yy + R negative: that is an error with its time. The loop's own spread is sound.
+    """A spread of 3 over 6 states has a centre weight of -1, and a range seen from near by makes
+    P_yy + R negative, by hand -3.3: that is said. The loop's own spread is sound.
     """
     import sympy as sp
 
     x = sp.symbols("x1:6", real=True)
     u = sp.Symbol("u", real=True)
+    distance = sp.sqrt(sum(element**2 for element in x) + sp.Rational(1, 10**6))
     rates = (x[1], sp.sinh(u), -x[2], -x[3], -x[4])
-    distance = sp.sqrt(x[2] ** 2 + x[3] ** 2 + x[4] ** 2 + sp.Rational(1, 10**6))
-    system = System("near", x, (u,), {}, rates, (x[0],), measured=(x[0], distance))
-    linear = linearize(system)
-    a, b, _ = linear.brunovsky()
-    loop = ClosedLoop(linear, placed_gains(a, b, np.array([-1.0, -2.0])))
+    kernels = generate(linearize(System("near", x, (u,), {}, rates, (x[0],), (distance,))))
     noise = np.full(6, 1e-4)
-    settings = Settings(0.01, 50.0, noise, np.array([1e-4, 1e-6]), np.ones(6))
-    flight = (
-        lambda t: (np.zeros(2), np.zeros(1)), lambda t: np.ones(1), np.zeros(5), np.zeros(1), 2.0,
-    )  # fmt: skip
-    with pytest.raises(
-        TheoryError, match="covariance of the innovation is not positive definite at 0"
-    ):
-        loop.fly(*flight, settings._replace(spread=3.0))
-    history = loop.fly(*flight, settings)
-    assert np.abs(history.estimate).max() < 3.0
-    assert (history.deviation > 0.0).all()
+    settings = FilterSettings(noise, np.array([1e-6]), 3.0, 0.0, DT, extended=False)
+    y, arguments = np.array([0.1]), (kernels.parameters, settings)
+    status = kernels.estimate(np.zeros(6), np.eye(6), np.zeros(1), y, *arguments)
+    assert status == INNOVATION_NOT_DEFINITE
+    z, covariance = np.zeros(6), np.eye(6)
+    for _ in range(200):
+        sound = settings._replace(spread=6.0)
+        status = kernels.estimate(z, covariance, np.zeros(1), y, kernels.parameters, sound)
+        assert status == SOUND
+    assert np.abs(z).max() < 3.0
+    assert np.linalg.eigvalsh(covariance).min() > 0.0
 
 
 def test_literal_form_has_the_cross_covariance_of_25():

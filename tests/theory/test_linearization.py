@@ -101,7 +101,7 @@ def test_path_that_cancels_is_none(nothing):
 def test_gain_that_is_singular_everywhere_is_refused():
     """Both outputs move by u + w only: G = [1, 1; 1, 1]."""
     both = U + W + U**3 / 3 + W * U**2
-    with pytest.raises(TheoryError, match="G of .14. has rank 1 everywhere, for 2 outputs"):
+    with pytest.raises(TheoryError, match=r"G of .14. has rank 1 everywhere, for 2 outputs"):
         linearize(system((both, 2 * both + X1, -X3), (X1, X2), inputs=(U, W)))
 
 

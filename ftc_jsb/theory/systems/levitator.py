@@ -12,7 +12,7 @@ _MASS, _G, _COIL = sp.symbols("m g C", positive=True)
 
 
 def levitator() -> System:
-    """gap'' = g - C / m (i / gap)^2, y = gap; index 2. G vanishes without a current."""
+    """Gap'' = g - C / m (i / gap)^2, y = gap; index 2. G vanishes without a current."""
     rates = (_SPEED, _G - _COIL / _MASS * (_CURRENT / _GAP) ** 2)
     parameters = {_MASS: 0.068, _G: 9.80665, _COIL: 6.53e-5}  # kg, m/s2, N m2/A2
     ranges = {_GAP: (0.006, 0.014), _SPEED: (-0.05, 0.05), _CURRENT: (0.3, 3.0)}  # m, m/s, A
