@@ -8,7 +8,7 @@ import numpy.typing as npt
 import sympy as sp
 
 from ftc_jsb.errors import TheoryError
-from ftc_jsb.theory.closed_loop import Conditions, Settings
+from ftc_jsb.theory.closed_loop import NOTHING_ELSE, Conditions, Settings
 from ftc_jsb.theory.gains import Gains, given_gains
 from ftc_jsb.theory.linearization import Linearization
 from ftc_jsb.theory.proof import Task
@@ -31,7 +31,7 @@ class Case:
     duration: float
     settings: Settings
     effectiveness: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)  # k, of TIME; else 1
-    conditions: Conditions = Conditions()
+    conditions: Conditions = NOTHING_ELSE
     plant: System | None = None  # what is flown, if not the system itself
     time_unit: str = "s"
 

@@ -71,6 +71,9 @@ class Conditions(NamedTuple):
     plant_initial: Array | None = None  # (plant states,); the filter starts at `initial`
 
 
+NOTHING_ELSE = Conditions()
+
+
 class ClosedLoop:
     """A system with its law, filter and plant, compiled."""
 
@@ -100,7 +103,7 @@ class ClosedLoop:
         trim: Array,
         duration: float,
         settings: Settings,
-        conditions: Conditions = Conditions(),
+        conditions: Conditions = NOTHING_ELSE,
     ) -> History:
         """Track a reference.
 

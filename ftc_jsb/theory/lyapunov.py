@@ -5,7 +5,8 @@ With e' = (A - B K) e + B d and d what the law does not count on, (39) without i
     V' <= -lambda V + phi(t),  lambda = lambda_min(Q) / lambda_max(H) - mu_1,  phi = d^T B^T H B d / mu_1,
 
 0 < mu_1 < lambda_min(Q) / lambda_max(H). Its sup of phi gives the ball (40), and phi(t) itself, with
-the best mu_1 at each time, a far nearer bound of V. Each component of d is bounded by constants over the ranges of the system:
+the best mu_1 at each time, a far nearer bound of V. Each component of d is bounded by constants over
+the ranges of the system:
 
     |d_i| <= sum_j P_ij |x~_j|                  estimation: (35), P of the exact derivative at the flown u
            + sum_jl |K_ij| C_jl |x~_l|          the error that is fed back is that of the estimate

@@ -6,7 +6,14 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.theory.closed_loop import ClosedLoop, Conditions, History, Settings, Signal
+from ftc_jsb.theory.closed_loop import (
+    NOTHING_ELSE,
+    ClosedLoop,
+    Conditions,
+    History,
+    Settings,
+    Signal,
+)
 from ftc_jsb.theory.constants import ProofConstants, proof_constants
 from ftc_jsb.theory.error_envelope import FilterModel, Nominal, error_envelope
 from ftc_jsb.theory.lyapunov import (
@@ -41,7 +48,7 @@ def fly_and_prove(
     loop: ClosedLoop,
     task: Task,
     settings: Settings,
-    conditions: Conditions = Conditions(),
+    conditions: Conditions = NOTHING_ELSE,
     constants: ProofConstants | None = None,
 ) -> tuple[History, LyapunovBound]:
     """Predict, fly, compare.

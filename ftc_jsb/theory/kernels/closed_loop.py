@@ -10,6 +10,7 @@ from ftc_jsb.compiled import compiled
 from ftc_jsb.theory.trim_filter import trim_step
 from ftc_jsb.vocabulary.kernel_types import Vector
 
+from .arrays import copy, fill
 from .discrete_model import propagate
 from .joint_filter import SOUND, FilterSettings, effectiveness_of, estimate
 from .law import SCRATCH, SOLVED, Reference, Tuning, law
@@ -94,14 +95,14 @@ def run(state: LoopState, world: World, constants: Constants, history: History) 
     rows, last = history.time.size, np.empty(INPUTS)
     known, scratch, k = np.ones(STATES + INPUTS), np.zeros(SCRATCH), np.ones(INPUTS)
     for i in range(rows):
-        last[:] = state.u
+        copy(state.u, last)
         status = _know(state, world, constants, history, i)
         if status != SOUND:
             return FILTER_FAILED + status, i
         _tell(state, world.effectiveness[i], constants, known)
         for j in range(INPUTS):
             k[j] = max(known[STATES + j], constants.filter.floor)
-        now = Reference(history.reference[i].copy(), history.derivative[i].copy())
+        now = Reference(history.reference[i], history.derivative[i])
         status = law(
             known[:STATES],
             state.u_n,
@@ -135,9 +136,9 @@ def _know(state: LoopState, world: World, constants: Constants, history: History
         status = estimate(
             state.z, state.covariance, state.u, y, constants.parameters, constants.filter
         )
-    history.state[i] = state.x
-    history.estimate[i] = state.z
-    history.trim[i] = state.u_n
+    copy(state.x, history.state[i])
+    copy(state.z, history.estimate[i])
+    copy(state.u_n, history.trim[i])
     for j in range(state.z.size):
         history.deviation[i, j] = math.sqrt(max(state.covariance[j, j], 0.0))
     return status
@@ -146,12 +147,12 @@ def _know(state: LoopState, world: World, constants: Constants, history: History
 @compiled
 def _tell(state: LoopState, truth: Vector, constants: Constants, known: Vector) -> None:
     """State and effectiveness that the law goes by."""
-    known[STATES:] = 1.0
+    fill(known[STATES:], 1.0)
     if constants.told == TRUTH:
-        known[:STATES] = state.x[:STATES]
-        known[STATES:] = truth
+        copy(state.x[:STATES], known)
+        copy(truth, known[STATES:])
     else:
-        known[:STATES] = state.z[:STATES]
+        copy(state.z[:STATES], known)
         if constants.told == ESTIMATE:
             effectiveness_of(state.z, known[STATES:])
 
@@ -182,7 +183,7 @@ def _move(state: LoopState, world: World, constants: Constants, delivered: Vecto
             if not math.isnan(world.held[i, j]):
                 efficacious[j] = world.held[i, j]
         if step == 0:
-            delivered[:] = efficacious
+            copy(efficacious, delivered)
         propagate(True, state.x, efficacious, one, constants.plant_parameters, dt, scratch)
     for j in range(PLANT_STATES):
         state.x[j] += world.push[i, j]
@@ -193,8 +194,8 @@ def _record(
     state: LoopState, known: Vector, history: History, constants: Constants, i: int
 ) -> None:
     """Write command, knowledge and E of (16), that of the plant's own outputs."""
-    history.command[i] = state.u
-    history.known[i] = known
+    copy(state.u, history.command[i])
+    copy(known, history.known[i])
     error, one = history.error[i], np.ones(INPUTS)
     plant_chain(state.x, one, constants.plant_parameters, error)
     for j in range(error.size):

@@ -28,6 +28,7 @@ from ftc_jsb.estimation.sigma_points import (
 )
 from ftc_jsb.vocabulary.kernel_types import Matrix, Vector
 
+from .arrays import copy, fill
 from .discrete_model import propagate
 from .system import FALLIBLE, INPUTS, MEASURED, STATES, outputs
 
@@ -96,7 +97,7 @@ def _predict(
         effectiveness_of(points[a], k)
         propagate(False, points[a, :STATES], u, k, p, settings.dt, stages)
     if settings.extended:
-        z[:] = points[0]
+        copy(points[0], z)
     else:
         mean_of(points, weights, ESTIMATED, z)  # (28)
     covariance_of(points, z, weights, ESTIMATED, cov)  # (30)
@@ -128,7 +129,8 @@ def _correct(
         outputs(points[a, :STATES], p, whole)
         for i in range(m):
             seen[a, i] = whole[place[i]]
-    mean = seen[0].copy()
+    mean = np.empty(m)
+    copy(seen[0], mean)
     if not settings.extended:
         mean_of(seen, weights, m, mean)  # (32)
     for i in range(m):
@@ -158,8 +160,9 @@ def _condition(
     gain = pxy  # K = P_xy P_yy^-1, row by row
     for j in range(n):
         cholesky_solve(root, m, gain[j])
-    cov[:] = 0.0
     away = np.empty(n)
+    for j in range(n):
+        fill(cov[j], 0.0)
     for a in range(2 * n + 1):
         weight = weights.centre if a == 0 else weights.other
         for j in range(n):
