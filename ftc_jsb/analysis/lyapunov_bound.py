@@ -73,7 +73,12 @@ def flight_stability(flight: Flight, young: float = 0.5) -> LyapunovBound:
     bound = disturbance_bound(known.constants, k, assumptions, rate, flight.row_period)
     gains: Gains = given_gains(np.zeros((3, 3)), np.eye(3), k)
     return lyapunov_bound(
-        _flown(record, scenario), bound / ERROR_SCALE, assumptions, np.eye(3), gains, young
+        _flown(record, scenario),
+        bound / ERROR_SCALE,
+        assumptions,
+        (np.zeros((3, 3)), np.eye(3)),
+        gains,
+        young,
     )
 
 

@@ -9,13 +9,14 @@ import sympy as sp
 
 from ftc_jsb.errors import TheoryError
 from ftc_jsb.theory.closed_loop import NOTHING_ELSE, Conditions, Settings
-from ftc_jsb.theory.gains import Gains, given_gains
+from ftc_jsb.theory.gains import Gains, decaying_gains
 from ftc_jsb.theory.linearization import Linearization
 from ftc_jsb.theory.proof import Task
 from ftc_jsb.theory.system import Expressions, System
 
 Array = npt.NDArray[np.float64]
 TIME = sp.Symbol("t", real=True)
+SHARE = 0.8  # of the slowest pole: at which V of the proof decays
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,8 @@ class Case:
                 )
             k[row, start : start + index] = np.poly(poles)[:0:-1]
             start += index
-        return given_gains(a, b, k)
+        slowest = -max(max(poles) for poles in self.poles)
+        return decaying_gains(a, b, k, SHARE * slowest)
 
     def task(self, linearization: Linearization) -> Task:
         """What is flown."""

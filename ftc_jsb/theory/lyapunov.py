@@ -2,9 +2,10 @@
 
 With e' = (A - B K) e + B d and d what the law does not count on, (39) without its slips reads
 
-    V' <= -lambda V + phi(t),  lambda = lambda_min(Q) / lambda_max(H) - mu_1,  phi = d^T B^T H B d / mu_1,
+    V' <= -lambda V + phi(t),  lambda = lambda_0 - mu_1,  phi = d^T B^T H B d / mu_1,
 
-0 < mu_1 < lambda_min(Q) / lambda_max(H). Its sup of phi gives the ball (40), and phi(t) itself, with
+lambda_0 the least eigenvalue of H^-1 Q, which is no less than the paper's lambda_min(Q) / lambda_max(H), and
+0 < mu_1 < lambda_0. Its sup of phi gives the ball (40), and phi(t) itself, with
 the best mu_1 at each time, a far nearer bound of V. Each component of d is bounded by constants over
 the ranges of the system:
 
@@ -29,6 +30,9 @@ from ftc_jsb.theory.gains import Gains
 
 Array = npt.NDArray[np.float64]
 ROUNDING = 1e-9
+UNBOUNDED = (
+    1e100  # where the bound runs away: the gains are too large for the time a command is held
+)
 
 
 class Assumptions(NamedTuple):
@@ -100,7 +104,12 @@ def disturbance_bound(
 
 
 def lyapunov_bound(
-    flown: Flown, bound: Array, assumptions: Assumptions, b: Array, gains: Gains, young: float = 0.5
+    flown: Flown,
+    bound: Array,
+    assumptions: Assumptions,
+    matrices: tuple[Array, Array],
+    gains: Gains,
+    young: float = 0.5,
 ) -> LyapunovBound:
     """Predict V and see whether a flight obeys.
 
@@ -108,17 +117,20 @@ def lyapunov_bound(
         flown: the flight; of it only the first error enters the prediction.
         bound: (rows, outputs), of |d|, as `disturbance_bound` gives it.
         assumptions: that it was made with.
-        b: (order, outputs), B of (14).
+        matrices: A and B of (14).
         gains: K, H and Q.
         young: mu_1 as a part of its upper limit, between 0 and 1.
     """
+    from scipy.linalg import eigh
+
     dt = float(flown.time[1] - flown.time[0])
-    fastest = np.linalg.eigvalsh(gains.q).min() / np.linalg.eigvalsh(gains.h).max()
+    fastest = float(eigh(gains.q, gains.h, eigvals_only=True).min())
+    a, b = matrices
     least = float(np.linalg.eigvalsh(gains.h).min())
     mu = young * fastest
     rate = float(fastest - mu)
     value = np.einsum("ti,ij,tj->t", flown.error, gains.h, flown.error)
-    predicted, phi = _integrate(value[0], bound, (b, gains), (fastest, mu), dt)
+    predicted, phi = _integrate(value[0], bound, (b, gains, a - b @ gains.k), (fastest, mu), dt)
     return LyapunovBound(
         value,
         predicted,
@@ -132,26 +144,31 @@ def lyapunov_bound(
 
 
 def _integrate(
-    start: float, bound: Array, loop: tuple[Array, Gains], rates: tuple[float, float], dt: float
+    start: float,
+    bound: Array,
+    loop: tuple[Array, Gains, Array],
+    rates: tuple[float, float],
+    dt: float,
 ) -> tuple[Array, float]:
     """Bound of V from V(0) on, and the largest phi for the given mu_1.
 
     For every mu_1 (39) holds at each time; the best, mu_1 = w / sqrt(V) with w = ||H^(1/2) B d||, makes
-    it sqrt(V)' <= -lambda_0 / 2 sqrt(V) + w. A held command adds dt |K| |e'| to d,
-    |e'| <= |A - B K| |e| + |d|, with |e| by the bound itself.
+    it sqrt(V)' <= -lambda_0 / 2 sqrt(V) + w. A held command adds dt |K e'| to d,
+    e' = (A - B K) e + B d, with e by the bound of V itself.
     """
-    b, gains = loop
+    b, gains, closed = loop
     fastest, mu = rates
     weight = b.T @ gains.h @ b
     signs = np.array(list(itertools.product((1.0, -1.0), repeat=b.shape[1])))
-    least = np.linalg.eigvalsh(gains.h).min()
-    feedback = np.abs(gains.k).sum(axis=1)
-    stiff = 1.0 + float(np.linalg.norm(gains.k, 2))
+    returned = np.linalg.norm(
+        np.linalg.solve(np.linalg.cholesky(gains.h), (gains.k @ closed).T).T, axis=1
+    )
+    direct = np.abs(gains.k @ b)
     decay = np.exp(-0.5 * fastest * dt)
     predicted, largest, root = np.empty(len(bound)), 0.0, np.sqrt(max(start, 0.0))
     for i, d in enumerate(bound):
         predicted[i] = root**2
-        whole = d + dt * feedback * (stiff * root / np.sqrt(least) + np.linalg.norm(d))
+        whole = np.minimum(d + dt * (returned * root + direct @ d), UNBOUNDED)
         corners = signs * whole
         square = float(np.einsum("si,ij,sj->s", corners, weight, corners).max())
         largest = max(largest, square / mu)

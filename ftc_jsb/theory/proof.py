@@ -69,8 +69,8 @@ def fly_and_prove(
     assumptions = _assumptions(loop, nominal, settings, conditions)
     rate = np.abs(np.gradient(history.derivative, settings.dt, axis=0))
     bound = disturbance_bound(constants, loop.gains.k, assumptions, rate, settings.dt)
-    _, b, _ = loop.linearization.brunovsky()
-    return history, lyapunov_bound(flown(history), bound, assumptions, b, loop.gains)
+    a, b, _ = loop.linearization.brunovsky()
+    return history, lyapunov_bound(flown(history), bound, assumptions, (a, b), loop.gains)
 
 
 def flown(history: History) -> Flown:
