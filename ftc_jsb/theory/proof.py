@@ -30,7 +30,7 @@ Array = npt.NDArray[np.float64]
 STEP_MARGIN = 2.0  # on |u - u_n| of the nominal flights
 STEP_FLOOR = 0.01  # of an input's size
 STEP_WINDOW = 50.0  # in 1 / zeta: how much later than the nominal command the adaptive one may move
-FLOOR = 1e-5  # of a state's range: rounding and integration in the estimate
+FLOOR = 1e-4  # of a state's range: integration, rounding, the unscented mean's second order
 EFFECTIVENESS_FLOOR = 1e-3
 
 
