@@ -27,6 +27,16 @@ class RecordingError(UserError):
     """A recording cannot be read, or a folder for one cannot be written."""
 
 
+class WriteError(RecordingError):
+    """A file cannot be written: the disk is full, the folder is read-only, the file is there already."""
+
+    def __init__(self, path: object, reason: str) -> None:
+        """Args: of what file; why."""
+        super().__init__(f"{path}: cannot be written: {reason}")
+        self.path = path
+        self.reason = reason
+
+
 class TheoryError(UserError):
     """A system that the theory does not cover; says which output, input or matrix, and where."""
 

@@ -13,7 +13,7 @@ from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.errors import UserError
 from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.load import load_scenario, scenario_names
-from validation import margins
+from validation import margins, transports
 from validation.cost import cost_table, long_flights
 from validation.fighters import SCENARIOS, fighters_table
 from validation.flights import measured, random_manoeuvre
@@ -37,7 +37,7 @@ def scenarios_table() -> Iterator[str]:
         "| effectiveness error 95 % | max | detection [s] | false alarms | at a limit [%] | verdict |"
     )
     yield "|" + "---|" * 12
-    elsewhere = {"helix", "turbulence", *SCENARIOS.values()} - {"paper"}
+    elsewhere = {"helix", "turbulence", *SCENARIOS.values(), *transports.SCENARIOS} - {"paper"}
     for name in (n for n in scenario_names() if n not in elsewhere):
         for model in load_scenario(name).compare.models:
             one = measured(name, f"model={model}")
@@ -142,8 +142,8 @@ def main() -> int:
     for title, words, rows in (
         (
             "Every shipped scenario on every model",
-            "The estimate is judged outside the first 2 s and 2 s after each fault step. Fighters, turbulence "
-            "and the helix have tables of their own.",
+            "The estimate is judged outside the first 2 s and 2 s after each fault step. Fighters, transports, "
+            "turbulence and the helix have tables of their own.",
             scenarios_table,
         ),
         (
@@ -153,6 +153,7 @@ def main() -> int:
             "scaled down where no speed does). Last: the identified point mass against it.",
             fighters_table,
         ),
+        (transports.TITLE, transports.WORDS, transports.transports_table),
         (
             "A climbing helix",
             "Scenario `helix`: 250 m/s, 4°/s, 4° of climb, thrust effectiveness 0.7 from 40 s; the loop "

@@ -28,5 +28,5 @@ def convert(recording: Path, format_: str, out: Path | None, force: bool) -> Non
     path = out or recording.with_suffix(FORMATS[format_].suffix)
     if path.exists() and not force:
         raise RecordingError(f"{path}: exists; give another file by --out, or --force")
-    write(load(recording), format_, path)
+    write(load(recording), format_, path, replace=force)
     click.echo(f"Written: {path}")

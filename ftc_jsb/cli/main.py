@@ -7,6 +7,7 @@ import click
 
 import ftc_jsb
 from ftc_jsb.cli.bench import bench
+from ftc_jsb.cli.campaign import campaign
 from ftc_jsb.cli.check import check
 from ftc_jsb.cli.compare import compare
 from ftc_jsb.cli.convert import convert
@@ -49,7 +50,7 @@ def main() -> None:
 
 
 for _command in (
-    bench, check, compare, convert, export, figures, fly,
+    bench, campaign, check, compare, convert, export, figures, fly,
     identify, inner_loop, list_, margins, replay, report, theory,
 ):  # fmt: skip
     main.add_command(_command)

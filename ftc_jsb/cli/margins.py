@@ -38,6 +38,7 @@ def margins(
     as_json: bool,
 ) -> None:
     """Measure gain, phase and delay margins in level flight; write margins.json and bode.png."""
+    from ftc_jsb.atomic_file import atomic_file
     from ftc_jsb.margins.condition import level_scenario
     from ftc_jsb.margins.document import document
     from ftc_jsb.margins.measure import CHANNELS, channel_margins
@@ -56,7 +57,8 @@ def margins(
         what = flown.aircraft.name if model != "paper" else "paper"
         at = f"{flown.initial.airspeed:g} m/s, {flown.initial.altitude:g} m"
         title = f"{what} ({model}), loop {flown.loop.name}, {at}"
-        bode_figure(title, found).savefig(folder / "bode.png", dpi=150)
+        with atomic_file(folder / "bode.png") as part:
+            bode_figure(title, found).savefig(part, format="png", dpi=150)
     if as_json:
         print_json(document(flown, found))
     else:

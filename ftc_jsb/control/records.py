@@ -85,7 +85,10 @@ LOOP_STATE = np.dtype(
         ("integral", float, (3,)),  # of the tracking errors
         ("drag_beyond", float),  # measured drag coefficient less the polar's
         ("sustained", float),  # deceleration [m/s^2] by it that lasts: what thrust has to pay for
-        ("given_up", float, (2,)),  # path angle [rad] and part of the turn, for want of thrust
+        # for want of thrust: path angle [rad], part of the turn, airspeed [m/s]
+        ("given_up", float, (3,)),
+        ("lasting", float),  # effectiveness of thrust, lagged
+        ("short_time", float),  # [s] for which references could not be flown
         ("inner_loop", INNER_LOOP),
     ]
 )

@@ -8,7 +8,7 @@ import importlib
 from pathlib import Path
 from typing import NamedTuple
 
-from ftc_jsb.errors import RecordingError
+from ftc_jsb.atomic_file import atomic_file
 from ftc_jsb.recording.flight import Flight
 
 
@@ -28,17 +28,18 @@ FORMATS: dict[str, Format] = {
 }
 
 
-def convert(flight: Flight, name: str, path: Path) -> None:
-    """Write `flight` to `path` in the format `name`, by way of a temporary name.
+def convert(flight: Flight, name: str, path: Path, *, replace: bool = False) -> None:
+    """Write `flight` to `path` in the format `name`, whole or not at all.
+
+    Args:
+        flight: to be written.
+        name: one of FORMATS.
+        path: of the new file.
+        replace: whether a file that is there already is replaced.
 
     Raises:
-        RecordingError: the file cannot be written.
+        WriteError: the file cannot be written, or is there already.
     """
-    part = path.with_name(path.name + ".part")
-    try:
-        importlib.import_module(f"{__name__}.{name}").write(flight, part)
-        part.replace(path)
-    except OSError as error:
-        raise RecordingError(f"{path}: cannot be written: {error.strerror or error}") from None
-    finally:
-        part.unlink(missing_ok=True)
+    module = importlib.import_module(f"{__name__}.{name}")
+    with atomic_file(path, replace=replace) as part:
+        module.write(flight, part)

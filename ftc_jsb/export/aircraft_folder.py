@@ -10,7 +10,7 @@ from typing import Any
 import ftc_jsb
 from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.aircraft.level_flight import level_flight
-from ftc_jsb.errors import RecordingError
+from ftc_jsb.atomic_file import atomic_contents
 from ftc_jsb.export.notice import notice
 from ftc_jsb.export.script import INITIAL, RATE, initial_condition, runscript, steps
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
@@ -58,7 +58,7 @@ def export(aircraft: Aircraft, corrected: bool, folder: Path) -> list[Path]:
 
     Raises:
         AircraftError, TrimError: it cannot be woven, loaded or trimmed.
-        RecordingError: the folder cannot be written.
+        WriteError: the folder cannot be written.
     """
     import jsbsim
 
@@ -67,26 +67,25 @@ def export(aircraft: Aircraft, corrected: bool, folder: Path) -> list[Path]:
     root = woven_aircraft(aircraft, corrected)
     fdm = trimmed(aircraft, root, 1.0 / RATE, initial, fuel)
     model = aircraft.jsbsim_model
-    try:
-        _copy(root, folder, model)
-        place = folder / "aircraft" / model / f"{INITIAL}.xml"
+    with atomic_contents(folder) as new:
+        _copy(root, new, model)
+        place = new / "aircraft" / model / f"{INITIAL}.xml"
         _write(initial_condition(initial), place)
-        (folder / "scripts").mkdir(exist_ok=True)
-        _write(_script(aircraft, fdm), folder / "scripts" / f"{model}.xml")
+        (new / "scripts").mkdir()
+        _write(_script(aircraft, fdm), new / "scripts" / f"{model}.xml")
         installed = Path(jsbsim.get_default_root_dir())
-        shutil.copy(Path(jsbsim.__file__).parent / "LICENSE.txt", folder / "JSBSIM-LICENSE.txt")
-        (folder / "NOTICE").write_text(_notice(folder, model, installed), encoding="utf-8")
-        (folder / "README.txt").write_text(_readme(aircraft, initial), encoding="utf-8")
-    except OSError as error:
-        raise RecordingError(f"{folder}: cannot be written: {error}") from None
-    return sorted(path for path in folder.rglob("*") if path.is_file())
+        shutil.copy(Path(jsbsim.__file__).parent / "LICENSE.txt", new / "JSBSIM-LICENSE.txt")
+        (new / "NOTICE").write_text(_notice(new, model, installed), encoding="utf-8")
+        (new / "README.txt").write_text(_readme(aircraft, initial), encoding="utf-8")
+        written = [path.relative_to(new) for path in new.rglob("*") if path.is_file()]
+    return sorted(folder / name for name in written)
 
 
 def _copy(root: Path, folder: Path, model: str) -> None:
     """The woven aircraft, and of JSBSim's shared systems those that it asks for."""
     for part in ("aircraft", "engine"):
-        shutil.copytree(root / part, folder / part, dirs_exist_ok=True)
-    (folder / "systems").mkdir(exist_ok=True)
+        shutil.copytree(root / part, folder / part)
+    (folder / "systems").mkdir()
     asking = list((root / "aircraft" / model).rglob("*.xml"))
     copied: set[str] = set()
     while asking:

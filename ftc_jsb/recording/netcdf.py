@@ -11,7 +11,8 @@ from typing import Any, cast
 import numpy as np
 from pydantic import ValidationError
 
-from ftc_jsb.errors import RecordingError, ScenarioError
+from ftc_jsb.atomic_file import atomic_file
+from ftc_jsb.errors import RecordingError, ScenarioError, WriteError
 from ftc_jsb.recording.columns import ROW, VARIABLES
 from ftc_jsb.recording.commands import parse_commands
 from ftc_jsb.recording.description import attributes
@@ -24,19 +25,16 @@ COMPRESSION: dict[str, Any] = {"zlib": True, "complevel": 1}
 
 
 def save(flight: Flight, path: Path) -> None:
-    """Write a flight as NetCDF 4, by way of a temporary name: a broken write leaves no recording.
+    """Write a flight as NetCDF 4; a broken write leaves no recording.
 
     Raises:
-        RecordingError: the file cannot be written.
+        WriteError: the file cannot be written.
     """
-    part = path.with_suffix(".part")
-    try:
-        with _uninterrupted():
+    with _uninterrupted(), atomic_file(path) as part:
+        try:
             _write(flight, part)
-            part.replace(path)
-    except (OSError, RuntimeError) as error:
-        part.unlink(missing_ok=True)
-        raise RecordingError(f"{path}: cannot be written: {error}") from None
+        except RuntimeError as error:  # what the HDF library makes of a full disk
+            raise WriteError(path, f"{error}; the disk may be full") from None
 
 
 def _write(flight: Flight, path: Path) -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ftc_jsb.analysis.metrics import Metrics
-from ftc_jsb.errors import RecordingError
+from ftc_jsb.atomic_file import write_text
 
 
 def document(metrics: dict[str, Metrics]) -> dict[str, Any]:
@@ -17,10 +17,6 @@ def write_metrics(path: Path, contents: dict[str, Any]) -> None:
     """Write `metrics.json`; unknown numbers are null, never NaN, which is no JSON.
 
     Raises:
-        RecordingError: the file cannot be written.
+        WriteError: the file cannot be written.
     """
-    try:
-        text = json.dumps(contents, indent=2, allow_nan=False)
-        path.write_text(text + "\n", encoding="utf-8")
-    except OSError as error:
-        raise RecordingError(f"{path}: cannot be written: {error.strerror}") from None
+    write_text(path, json.dumps(contents, indent=2, allow_nan=False) + "\n")

@@ -9,7 +9,7 @@ from ftc_jsb.errors import AircraftError, TrimError
 from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.six_dof.engines import engine_count
 from ftc_jsb.six_dof.fuel_tanks import fill_tanks
-from ftc_jsb.six_dof.loading import load
+from ftc_jsb.six_dof.loading import initialise, load
 from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.units import FOOT
 
@@ -77,13 +77,7 @@ def _trim(
     if output is not None and not fdm.set_output_directive(str(output)):
         raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim refuses the output {output}")
     set_condition(aircraft, fdm, initial, fuel_fraction)
-    try:
-        accepted = fdm.run_ic()
-    except Exception as error:  # an unknown property in the woven systems, say
-        said = " ".join(str(error).split())[:400]
-        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim: {said}") from None
-    if not accepted:
-        raise TrimError(f"aircraft {aircraft.name!r}: JSBSim refuses the initial condition")
+    initialise(fdm, aircraft.name)
     fdm["propulsion/set-running"] = -1
     try:
         fdm["simulation/do_simple_trim"] = 1

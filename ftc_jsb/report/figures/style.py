@@ -7,6 +7,8 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
+from ftc_jsb.atomic_file import atomic_file
+
 COLUMN = 3.5  # [in], one column of a two-column page
 PAGE = 7.16  # [in], both columns
 POINTS = 1500  # of a line; more cannot be seen
@@ -59,5 +61,6 @@ def save(figure: Figure, folder: Path, name: str) -> None:
         figure.set_layout_engine("none")
         for suffix in FORMATS:
             metadata = {dates[suffix]: None} if suffix in dates else None
-            figure.savefig(folder / f"{name}.{suffix}", dpi=300, metadata=metadata)
+            with atomic_file(folder / f"{name}.{suffix}") as part:
+                figure.savefig(part, format=suffix, dpi=300, metadata=metadata)
     plt.close(figure)

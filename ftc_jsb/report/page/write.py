@@ -8,6 +8,7 @@ from typing import Any
 import jinja2
 import markupsafe
 
+from ftc_jsb.atomic_file import write_text
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.report.figures.draw import draw_all
 from ftc_jsb.report.figures.style import FORMATS
@@ -58,7 +59,7 @@ def write_report(
         page = environment.get_template("report.html").render(
             **contents, command=command, figures=drawn, formats=FORMATS, script=_embedded()
         )
-        (folder / "report.html").write_text(page, encoding="utf-8")
+        write_text(folder / "report.html", page)
     except OSError as error:
         raise RecordingError(f"{folder}: the report cannot be written: {error}") from None
     return findings.document
