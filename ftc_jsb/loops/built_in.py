@@ -113,6 +113,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
         s["upright"] = model[0]["constant_density"] == 0.0  # any aircraft but the paper's
     s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
     s["effectiveness_floor"] = loop.effectiveness_floor
+    s["effectiveness_most"] = 1.0 if kind.robust else math.inf
     if loop.response_lead and not kind.robust:  # a lead makes gusts larger
         for axis in range(2):  # a second-order lag is late by 2 z / w
             frequency = model[0]["response_frequency"][axis]
