@@ -139,7 +139,7 @@ def lyapunov_bound(
         float(np.sqrt(phi / (rate * least))),
         np.sqrt(predicted / least),
         np.linalg.norm(flown.error, axis=1),
-        broken_assumptions(flown, assumptions),
+        broken_assumptions(flown, assumptions) + _held_too_long(matrices, gains, fastest, dt),
     )
 
 
@@ -160,9 +160,7 @@ def _integrate(
     fastest, mu = rates
     weight = b.T @ gains.h @ b
     signs = np.array(list(itertools.product((1.0, -1.0), repeat=b.shape[1])))
-    returned = np.linalg.norm(
-        np.linalg.solve(np.linalg.cholesky(gains.h), (gains.k @ closed).T).T, axis=1
-    )
+    returned = _returned(gains, closed)
     direct = np.abs(gains.k @ b)
     decay = np.exp(-0.5 * fastest * dt)
     predicted, largest, root = np.empty(len(bound)), 0.0, np.sqrt(max(start, 0.0))
@@ -174,6 +172,22 @@ def _integrate(
         largest = max(largest, square / mu)
         root = decay * root + (1.0 - decay) / (0.5 * fastest) * np.sqrt(square)
     return predicted, largest
+
+
+def _returned(gains: Gains, closed: Array) -> Array:
+    """(outputs,): |K (A - B K) e| is at most this times sqrt(V)."""
+    root = np.linalg.cholesky(gains.h)
+    return np.asarray(np.linalg.norm(np.linalg.solve(root, (gains.k @ closed).T), axis=0))
+
+
+def _held_too_long(
+    matrices: tuple[Array, Array], gains: Gains, fastest: float, dt: float
+) -> tuple[str, ...]:
+    """Why there is no bound, where a held command takes V up faster than the gains bring it down."""
+    a, b = matrices
+    root = np.linalg.cholesky(gains.h)
+    gained = dt * np.linalg.norm(root.T @ b, 2) * np.linalg.norm(_returned(gains, a - b @ gains.k))
+    return ("a command is held too long for the gains",) if gained >= 0.5 * fastest else ()
 
 
 def broken_assumptions(flown: Flown, assumptions: Assumptions) -> tuple[str, ...]:
