@@ -13,7 +13,7 @@ from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.errors import UserError
 from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.load import load_scenario, scenario_names
-from validation import margins, transports
+from validation import instruments, margins, missions, transports
 from validation.campaigns import robustness_section
 from validation.cost import cost_table, long_flights
 from validation.fighters import SCENARIOS, fighters_table
@@ -186,6 +186,8 @@ def main() -> int:
             "worse: the mean of twenty seconds of gusts is no zero.",
             fighters_robust_table,
         ),
+        (instruments.TITLE, instruments.WORDS, instruments.instruments_table),
+        (missions.TITLE, missions.WORDS, missions.missions_section),
         (
             "Hours without a fault",
             "Ten paper manoeuvres in a row on the JSBSim F-16, tactical sensors, moderate turbulence, "
@@ -233,7 +235,6 @@ def main() -> int:
             "their 95 % χ² bands. With the paper's Q and R on the paper's noiseless plant, or on the "
             "F-16, the filter is not consistent and its σ is no confidence: Q and R are settings there.",
             consistency_section,
-            loops_table,
         ),
         (
             "Campaign `robustness`",

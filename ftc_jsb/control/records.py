@@ -26,7 +26,10 @@ LOOP_SETTINGS = np.dtype(
         ("speed_first", np.int64),  # 1: climb and turn are given up before airspeed
         ("trim_share", float),  # of the way to u that (10) goes in a sample
         ("effectiveness_floor", float),  # sigma: the least effectiveness the law divides by
-        ("effectiveness_most", float),  # and the largest: an instrument may tell of more than there is
+        (
+            "effectiveness_most",
+            float,
+        ),  # and the largest: an instrument may tell of more than there is
         ("lead", float, (2,)),  # [s] of load factor and bank, against the inner loop's lag
         ("lead_filter", float),  # [1/s] of the rate that it takes
         ("lead_share", float),  # of the way that this filter goes in a sample
