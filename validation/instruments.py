@@ -25,11 +25,11 @@ BEGINS = 5.0  # [s]
 
 TITLE = "The standard deviation of the estimate"
 WORDS = (
-    f"Loop `robust`, tactical sensors that the inner loop reads too, seeds {FIRST} to {FIRST + SEEDS - 1}, by "
-    "none of which anything was chosen: a climb, turns, a change of airspeed, and a loss of 0.15 to 0.6 of the "
-    "thrust at a random time (`validation/instruments.py`). Judged from 5 s on, but for 2 s after the loss. "
-    "Wanted: truth inside ±2σ in 90 to 99 % of the time, normalised squared error (NEES) 1 on the average, 95 % "
-    "error ≤ 0.05."
+    f"Loop `robust`, tactical sensors that the inner loop reads too, seeds {FIRST} to {FIRST + SEEDS - 1}, "
+    "by none of which anything was chosen: a climb, turns, a change of airspeed, and a loss of 0.15 to 0.6 "
+    "of the thrust at a random time (`validation/instruments.py`). Judged from 5 s on, but for 2 s after the "
+    "loss. Wanted: truth inside ±2σ in 90 to 99 % of the time, normalised squared error (NEES) 1 on the "
+    "average, 95 % error ≤ 0.05."
 )
 
 

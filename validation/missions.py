@@ -31,8 +31,8 @@ TITLE = "Missions with a loss of thrust"
 WORDS = (
     f"{COUNT} random missions of the five fighters (`python -m validation.missions {COUNT} {SEED}`): "
     "tactical sensors, calm to moderate turbulence, a loss of 0.1 to 0.7 of the thrust at a random time, "
-    "each with `robust` and with `no-ftc`. Better and worse: by 5 % of the airspeed's RMSE (worse: and 0.3 m/s). Unclean: "
-    "by a judge of the recording that shares no code with the verdict."
+    "each with `robust` and with `no-ftc`. Better and worse: by 5 % of the airspeed's RMSE (worse: and "
+    "0.3 m/s). Unclean: by a judge of the recording that shares no code with the verdict."
 )
 
 
