@@ -1,15 +1,14 @@
 """Kernels generated from a linearization: SymPy expressions become Numba functions on plain arrays."""
 
 import hashlib
-import importlib.util
 import sys
 from collections.abc import Callable, Sequence
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 import sympy as sp
 
-from ftc_jsb.compiled import kernel_cache
 from ftc_jsb.theory.linearization import Linearization
 
 Kernel = Callable[..., Any]
@@ -30,23 +29,12 @@ class Kernels(NamedTuple):
 
 
 def generate(linearization: Linearization) -> Kernels:
-    """Write, import and compile the kernels of a system; the source lives in the kernel cache."""
+    """Compile the kernels of a system; they are cached under the digest of their source."""
     source = _source(linearization)
     name = f"{linearization.system.name}_{hashlib.sha256(source.encode()).hexdigest()[:12]}"
-    folder = kernel_cache(__name__) / "generated"
-    folder.mkdir(exist_ok=True)
-    path = folder / f"{name}.py"
-    if not path.is_file():
-        part = folder / f"{name}.{id(source)}.part"
-        part.write_text(source, encoding="utf-8")
-        part.replace(path)
-    module_name = f"ftc_jsb_generated_{name}"
-    spec = importlib.util.spec_from_file_location(module_name, path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[module_name] = module  # Numba's disk cache looks for it there
-    spec.loader.exec_module(module)
+    module = ModuleType(f"ftc_jsb_generated_{name}")
+    sys.modules[module.__name__] = module  # Numba's disk cache looks for it there
+    exec(compile(source, f"{name}.py", "exec"), module.__dict__)
     return Kernels(
         module.dynamics,
         module.outputs,
