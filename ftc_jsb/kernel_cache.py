@@ -17,9 +17,14 @@ import numba
 from numba.core.caching import Cache, CompileResultCacheImpl
 from numba.core.serialize import dumps
 
-from ftc_jsb.errors import WriteError
 from ftc_jsb.sources import source_digest
-from ftc_jsb.verified_cache import cache_folders, discard, read_sealed, write_sealed
+from ftc_jsb.verified_cache import (
+    cache_folders,
+    discard,
+    discard_cached,
+    read_cached,
+    write_cached,
+)
 
 SUFFIX = ".kernel"
 
@@ -63,36 +68,30 @@ class KernelFiles(Cache):
 
     def _load_overload(self, signature: Any, target_context: Any) -> Any:
         key = self._key(signature, target_context.codegen())
-        for path in self._paths(key):
-            payload = read_sealed(path)
-            if payload is None:
-                continue
-            try:
-                found, reduced = pickle.loads(payload)
-                if found == key:
-                    return self._impl.rebuild(target_context, reduced)
-            except Exception:  # of another Numba, say
-                discard(path)
-        return None
+        payload = read_cached(self._file(key))
+        if payload is None:
+            return None
+        try:
+            found, reduced = pickle.loads(payload)
+            return self._impl.rebuild(target_context, reduced) if found == key else None
+        except Exception:  # of another Numba, say
+            discard_cached(self._file(key))
+            return None
 
     def _save_overload(self, signature: Any, compiled: Any) -> None:
         if not self._impl.check_cachable(compiled):
             return
         key = self._key(signature, compiled.codegen)
         payload: bytes = cast(Any, dumps)((key, self._impl.reduce(compiled)))
-        for path in self._paths(key):
-            try:
-                write_sealed(path, payload)
-                return
-            except WriteError:  # a full or a read-only disk: the next folder
-                continue
+        write_cached(self._file(key), payload)
 
     def _key(self, signature: Any, codegen: Any) -> Any:
         return cast(Any, self)._index_key(signature, codegen)
 
-    def _paths(self, key: Any) -> Iterator[Path]:
-        name = f"{self._impl.base}.{hashlib.sha256(repr(key).encode()).hexdigest()[:16]}{SUFFIX}"
-        return (folder / name for folder in kernel_folders(self._py_func.__module__))
+    def _file(self, key: Any) -> str:
+        """Name of the file of a signature, below a cache folder."""
+        digest = hashlib.sha256(repr(key).encode()).hexdigest()[:16]
+        return f"{kernels_of(self._py_func.__module__)}/{self._impl.base}.{digest}{SUFFIX}"
 
 
 class _Conversion(CompileResultCacheImpl):

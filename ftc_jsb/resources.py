@@ -20,15 +20,27 @@ def aircraft_folder(name: str) -> Path:
     Raises:
         AircraftError: there is no such folder.
     """
-    plain = Path(name).name == name  # a bare name is a shipped aircraft, whatever lies around
-    for candidate in (shipped("aircraft") / name,) if plain else (Path(name),):
-        if any((candidate / file).is_file() for file in ("point_mass.toml", "aircraft.toml")):
-            return candidate.resolve()
+    folder = _folder(name)
+    if folder is not None:
+        return folder
     known = ", ".join(aircraft_names())
     raise AircraftError(
         f"aircraft.name: no aircraft {name!r}; expected one of {known}, "
-        "or the path of a folder (./mine) that holds point_mass.toml"
+        "or the path of a folder (./mine) that holds point_mass.toml; `ftc-jsb inner-loop` makes one of an "
+        "aircraft of the jsbsim package"
     )
+
+
+def is_folder(name: str) -> bool:
+    """Whether `aircraft_folder` would find one."""
+    return _folder(name) is not None
+
+
+def _folder(name: str) -> Path | None:
+    plain = Path(name).name == name  # a bare name is a shipped aircraft, whatever lies around
+    candidate = shipped("aircraft") / name if plain else Path(name)
+    files = ("point_mass.toml", "aircraft.toml")
+    return candidate.resolve() if any((candidate / file).is_file() for file in files) else None
 
 
 def aircraft_names() -> list[str]:

@@ -61,6 +61,34 @@ def write_sealed(path: Path, payload: bytes) -> None:
         part.write_bytes(DIGEST(payload).digest() + payload)
 
 
+def read_cached(name: str) -> bytes | None:
+    """What `write_cached` wrote; None if there is no such file that is whole."""
+    for folder in cache_folders():
+        payload = read_sealed(folder / name)
+        if payload is not None:
+            return payload
+    return None
+
+
+def write_cached(name: str, payload: bytes) -> None:
+    """Write a sealed file of the cache, if it can be written anywhere; otherwise it is made again next time.
+
+    Args:
+        name: below the cache; follows from all that the payload was made from.
+        payload: of the file.
+    """
+    for folder in cache_folders():
+        with suppress(WriteError):  # a full or a read-only disk: the next folder
+            write_sealed(folder / name, payload)
+            return
+
+
+def discard_cached(name: str) -> None:
+    """Remove a file of the cache as far as that can be done."""
+    for folder in cache_folders():
+        discard(folder / name)
+
+
 def sealed_folder(name: str, fill: Callable[[Path], None]) -> Path:
     """A folder of the cache that holds what `fill` makes, and nothing else; made if need be.
 
@@ -73,10 +101,10 @@ def sealed_folder(name: str, fill: Callable[[Path], None]) -> Path:
     Raises:
         WriteError: it can be written nowhere.
     """
+    found = find_sealed(name)
+    if found is not None:
+        return found
     problem = WriteError(name, "there is no cache folder")
-    for folder in (cache / name for cache in cache_folders()):
-        if _is_sealed(folder):
-            return folder
     for folder in (cache / name for cache in cache_folders()):
         try:
             return _filled(folder, fill)
@@ -85,6 +113,12 @@ def sealed_folder(name: str, fill: Callable[[Path], None]) -> Path:
         except OSError as error:
             problem = WriteError(folder, error.strerror or str(error))
     raise problem
+
+
+def find_sealed(name: str) -> Path | None:
+    """A folder that `sealed_folder` made, as it was made; None if there is none."""
+    folders = (cache / name for cache in cache_folders())
+    return next((folder for folder in folders if _is_sealed(folder)), None)
 
 
 def discard(path: Path) -> None:

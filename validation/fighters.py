@@ -5,33 +5,34 @@ from them, `table` prints what the flights gave.
 """
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ftc_jsb.analysis.metrics import flight_metrics
-from ftc_jsb.inner_loop_design.reference_search import AIRSPEEDS
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
 
 SCENARIOS = {"f16": "paper", "f15": "f15", "F4N": "f4n", "A4": "a4", "T38": "t38"}
 LEFT = 0.6  # effectiveness after the fault
+ALTITUDE = 3048.0  # [m]
 RESERVE = 1.15  # of the thrust needed
-SPEEDS = range(300, int(AIRSPEEDS[0]) - 1, -5)  # [m/s], not below what inner loops are designed for
+SPEEDS = range(300, 189, -5)  # [m/s], not below what inner loops are designed for
 SCALES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3)  # of the manoeuvre's angles
 PATH = ((0, 0), (15, 0), (25, 5), (35, 5), (45, 0))  # (44): time [s], angle [deg]
 HEADING = ((0, 0), (5, 0), (10, 30), (20, 30), (30, -30), (40, -30), (45, 0))
 
 
-def manoeuvre(name: str, airspeed: float, scale: float) -> list[str]:
-    """Overrides that make the paper's manoeuvre one of an aircraft, at a speed and scaled."""
+def manoeuvre(name: str, airspeed: float, scale: float, altitude: float = ALTITUDE) -> list[str]:
+    """Overrides that make the paper's manoeuvre one of an aircraft, at a speed [m/s] and scaled."""
     path = [[time, round(scale * angle, 3)] for time, angle in PATH]
     heading = [[time, round(scale * angle, 3)] for time, angle in HEADING]
     return [
-        f"aircraft.name={name}",
+        f"aircraft.name='{name}'",
+        f"initial.altitude={altitude}",
         f"initial.airspeed={airspeed}",
         f"reference.airspeed=[[0, {airspeed}]]",
         f"reference.flight_path_deg={path}",
@@ -39,9 +40,9 @@ def manoeuvre(name: str, airspeed: float, scale: float) -> list[str]:
     ]
 
 
-def thrust_share(name: str, airspeed: float, scale: float, model: str) -> float:
+def thrust_share(name: str, airspeed: float, scale: float, model: str, altitude: float) -> float:
     """Largest part of the maximum thrust that the fault-free manoeuvre takes on `model`."""
-    changes = [f"model={model}", *manoeuvre(name, airspeed, scale)]
+    changes = [f"model={model}", *manoeuvre(name, airspeed, scale, altitude)]
     flight = fly(load_scenario("nominal", changes))
     if flight.outcome.status != "complete":
         return float("inf")
@@ -66,7 +67,12 @@ def maximum_thrust(name: str, rows: Any) -> Any:
     )
 
 
-def highest_speed(name: str) -> tuple[float, float, float]:
+def highest_speed(
+    name: str,
+    speeds: Sequence[int] = SPEEDS,
+    scales: Sequence[float] = SCALES,
+    altitude: float = ALTITUDE,
+) -> tuple[float, float, float]:
     """Speed [m/s], scale and share of maximum thrust of the paper's manoeuvre for an aircraft.
 
     The highest speed up to 300 m/s at which what the fault leaves is at least RESERVE times the
@@ -74,14 +80,14 @@ def highest_speed(name: str) -> tuple[float, float, float]:
     What is needed is flown on JSBSim, sideslip in rolls and all; the point mass, which needs less,
     only rules out what is far off.
     """
-    for scale in SCALES:
-        for airspeed in SPEEDS:
-            if RESERVE * thrust_share(name, airspeed, scale, "identified") > LEFT:
+    for scale in scales:
+        for airspeed in speeds:
+            if RESERVE * thrust_share(name, airspeed, scale, "identified", altitude) > LEFT:
                 continue
-            share = thrust_share(name, airspeed, scale, "jsbsim")
+            share = thrust_share(name, airspeed, scale, "jsbsim", altitude)
             if RESERVE * share <= LEFT:
                 return float(airspeed), scale, share
-    raise ValueError(f"{name}: no speed and no scale down to {SCALES[-1]}")
+    raise ValueError(f"{name}: no speed and no scale down to {scales[-1]}")
 
 
 TITLES = {"f15": "F-15", "F4N": "F-4N", "A4": "A-4", "T38": "T-38"}
@@ -91,29 +97,56 @@ def write_scenarios(folder: Path) -> Iterator[str]:
     """Write the scenario of each fighter but the F-16, which flies `paper` itself; a line for each."""
     template = (folder / "paper.toml").read_text(encoding="utf-8")
     for name, title in TITLES.items():
-        airspeed, scale, share = highest_speed(name)
-        text = template
-        for old, new in {
-            template.splitlines()[0]: f"# The paper's manoeuvre on the {title}. Made by "
-            "`python -m validation.fighters scenarios`, which finds the speed.",
-            'name = "paper"': f'name = "{SCENARIOS[name]}"',
-            "Zhou et al. 2014, section 5: thrust effectiveness": "The paper's manoeuvre on the "
-            f"{title}{'' if scale == 1.0 else f', angles x {scale:g}'}: thrust effectiveness",
-            'model = "paper"': 'model = "jsbsim"',
-            'name = "f16"': f'name = "{name}"',
-            "airspeed = 300.0               # m/s": f"airspeed = {airspeed:.1f}               "
-            f"# m/s: {100.0 * share:.0f} % of maximum thrust at most, healthy",
-            "airspeed = [[0, 300]]": f"airspeed = [[0, {airspeed:g}]]",
-            "airspeed = [150, 420]": f"airspeed = [{min(150, airspeed - 50):g}, 420]",
-            _toml("flight_path_deg", PATH, 1.0): _toml("flight_path_deg", PATH, scale),
-            _toml("heading_deg", HEADING, 1.0): _toml("heading_deg", HEADING, scale),
-            'models = ["paper", "identified", "jsbsim"]': 'models = ["identified", "jsbsim"]',
-        }.items():
-            if old not in text:
-                raise ValueError(f"paper.toml: expected {old!r}")
-            text = text.replace(old, new)
+        found = highest_speed(name)
+        text = scenario_text(template, name, title, SCENARIOS[name], found)
         (folder / f"{SCENARIOS[name]}.toml").write_text(text, encoding="utf-8")
+        airspeed, scale, share = found
         yield f"{name}: {airspeed:g} m/s, angles x {scale:g}, {100.0 * share:.1f} % of maximum thrust"
+
+
+def scenario_text(
+    template: str,
+    name: str,
+    title: str,
+    scenario: str,
+    found: tuple[float, float, float],
+    made_by: str = "fighters",
+    altitude: float = ALTITUDE,
+) -> str:
+    """The paper's scenario for another aircraft.
+
+    Args:
+        template: text of `paper.toml`.
+        name: of the aircraft.
+        title: what people call it.
+        scenario: name of the new one.
+        found: speed, scale and share of `highest_speed`.
+        made_by: module of `validation` that writes it.
+        altitude: [m].
+    """
+    airspeed, scale, share = found
+    slowest = min(150, airspeed - 50) if airspeed > 150 else 0.6 * airspeed
+    for old, new in {
+        template.splitlines()[0]: f"# The paper's manoeuvre on the {title}. Made by "
+        f"`python -m validation.{made_by} scenarios`, which finds the speed.",
+        'name = "paper"': f'name = "{scenario}"',
+        "Zhou et al. 2014, section 5: thrust effectiveness": "The paper's manoeuvre on the "
+        f"{title}{'' if scale == 1.0 else f', angles x {scale:g}'}: thrust effectiveness",
+        'model = "paper"': 'model = "jsbsim"',
+        'name = "f16"': f'name = "{name}"',
+        "airspeed = 300.0               # m/s": f"airspeed = {airspeed:.1f}               "
+        f"# m/s: {100.0 * share:.0f} % of maximum thrust at most, healthy",
+        "altitude = 3048.0": f"altitude = {altitude:.1f}",
+        "airspeed = [[0, 300]]": f"airspeed = [[0, {airspeed:g}]]",
+        "airspeed = [150, 420]": f"airspeed = [{slowest:g}, 420]",
+        _toml("flight_path_deg", PATH, 1.0): _toml("flight_path_deg", PATH, scale),
+        _toml("heading_deg", HEADING, 1.0): _toml("heading_deg", HEADING, scale),
+        'models = ["paper", "identified", "jsbsim"]': 'models = ["identified", "jsbsim"]',
+    }.items():
+        if old not in template:
+            raise ValueError(f"paper.toml: expected {old!r}")
+        template = template.replace(old, new)
+    return template
 
 
 def _toml(key: str, points: tuple[tuple[int, int], ...], scale: float) -> str:

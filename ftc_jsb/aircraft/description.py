@@ -1,11 +1,13 @@
 """The typed `aircraft.toml`: what the weaving, the trim and the sensors need to know of an aircraft."""
 
 import tomllib
+from functools import lru_cache
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field, ValidationError
+from pydantic import Field, ValidationError, model_validator
 
+from ftc_jsb.aircraft.airplane_class import AirplaneClass
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.typed_file import Section, first_problem
@@ -74,6 +76,28 @@ class FlightTest(Section):
     load_factor: tuple[_Value, _Value]
     mach_breaks: tuple[_Value, ...] = ()  # Mach numbers at which flaps switch
     lift_coefficient_max: Annotated[float, Field(gt=0.0, le=10.0)]
+    # m/s at sea level; above, the tests keep to its dynamic pressure. Default: the lowest airspeed.
+    slowest: Annotated[float, Field(gt=0.0, le=1e3)] | None = None
+
+    @model_validator(mode="after")
+    def _ranges(self) -> Self:
+        low, high = self.airspeed
+        if not 0.0 < low < high:
+            raise ValueError("flight_test.airspeed: expected two increasing speeds above 0")
+        if list(self.altitude) != sorted(set(self.altitude)):
+            raise ValueError("flight_test.altitude: expected increasing heights")
+        if not all(0.0 <= fuel <= 1.0 for fuel in self.fuel_fraction):
+            raise ValueError("flight_test.fuel_fraction: expected numbers from 0 to 1")
+        if not self.load_factor[0] < 1.0 < self.load_factor[1]:
+            raise ValueError("flight_test.load_factor: expected one below and one above 1")
+        return self
+
+
+class InnerLoop(Section):
+    """Where the inner loop is designed and judged [m/s]; empty: as the test range has it."""
+
+    design_airspeeds: tuple[_Value, ...] = ()
+    step_airspeeds: tuple[_Value, ...] = ()
 
 
 class Aircraft(Section):
@@ -88,6 +112,9 @@ class Aircraft(Section):
     positions: Positions
     surfaces: Surfaces
     flight_test: FlightTest
+    # MIL-F-8785C: I light, II medium, III heavy, IV fighter. Default: by mass and load factor.
+    airplane_class: AirplaneClass | None = None
+    inner_loop: InnerLoop = InnerLoop()
     correction: tuple[Correction, ...] = ()
     folder: Path = Field(default=Path(), exclude=True)
 
@@ -101,6 +128,13 @@ def load_aircraft(name: str) -> Aircraft:
     path = aircraft_folder(name) / "aircraft.toml"
     if not path.is_file():
         raise AircraftError(f"{path}: not found; the jsbsim model needs it beside point_mass.toml")
+    stamp = path.stat()
+    return _read(path, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
+
+
+@lru_cache(maxsize=16)
+def _read(path: Path, stamp: tuple[int, ...]) -> Aircraft:
+    """The file as it was at `stamp`; what has changed since has another stamp."""
     try:
         values = tomllib.loads(path.read_text(encoding="utf-8"))
         return Aircraft(**values).model_copy(update={"folder": path.parent})

@@ -1,9 +1,8 @@
 """A flight condition for an aircraft that is only named: straight and level, where it was tested."""
 
 from ftc_jsb.aircraft.description import Aircraft
+from ftc_jsb.aircraft.test_range import usual_altitude
 from ftc_jsb.scenario.schema import Initial
-
-USUAL_ALTITUDE = 3048.0  # [m], 10 000 ft: that of the scenarios
 
 
 def level_flight(
@@ -19,6 +18,5 @@ def level_flight(
     if airspeed is None:
         airspeed = round(sum(aircraft.flight_test.airspeed) / 20.0) * 10.0
     if altitude is None:
-        tested = aircraft.flight_test.altitude
-        altitude = min(tested, key=lambda height: abs(height - USUAL_ALTITUDE))
+        altitude = usual_altitude(aircraft.flight_test)
     return Initial(airspeed=airspeed, altitude=altitude)

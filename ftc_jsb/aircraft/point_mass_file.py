@@ -2,12 +2,14 @@
 
 import json
 import tomllib
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any
 
 import numpy.typing as npt
 from pydantic import Field, ValidationError
 
+from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.aircraft.knot_tables import Number, Positive
 from ftc_jsb.aircraft.point_mass_aerodynamics import Aerodynamics, MeasuredDrag
 from ftc_jsb.aircraft.point_mass_record import model_record
@@ -96,15 +98,40 @@ def load_point_mass(folder: Path) -> PointMass:
     """Read `point_mass.toml` of an aircraft folder.
 
     Raises:
-        AircraftError: not found, not TOML, or not what the file must hold.
+        AircraftError: not found, not TOML, not what the file must hold, or identified from another
+            JSBSim model than the folder's `aircraft.toml` names.
     """
     path = folder / "point_mass.toml"
     try:
+        stamp = path.stat()
+    except OSError as error:
+        raise AircraftError(f"{path}: cannot be read: {error}") from None
+    return _read(path, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
+
+
+@lru_cache(maxsize=16)  # a flight asks several times, and reading takes 40 ms
+def _read(path: Path, stamp: tuple[int, ...]) -> PointMass:
+    """The file as it was at `stamp`; what has changed since has another stamp."""
+    try:
         values = json.dumps(tomllib.loads(path.read_text(encoding="utf-8")), default=str)
-        return PointMass.model_validate_json(values, strict=True)
+        point_mass = PointMass.model_validate_json(values, strict=True)
     except (OSError, UnicodeDecodeError) as error:
         raise AircraftError(f"{path}: cannot be read: {error}") from None
     except tomllib.TOMLDecodeError as error:
         raise AircraftError(f"{path}: not TOML: {error}") from None
     except ValidationError as error:
         raise AircraftError(f"{path}: {first_problem(error, PointMass)}") from None
+    _check_whose(path, point_mass)
+    return point_mass
+
+
+def _check_whose(path: Path, point_mass: PointMass) -> None:
+    identified = point_mass.identification.get("jsbsim_model")
+    if identified is None or not (path.parent / "aircraft.toml").is_file():
+        return
+    flown = load_aircraft(str(path.parent)).jsbsim_model
+    if identified != flown:
+        raise AircraftError(
+            f"{path}: the point mass of {identified!r}, not of {flown!r}, which aircraft.toml names; "
+            "make its own by `ftc-jsb identify`"
+        )

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from ftc_jsb.analysis.finite_statistics import fraction, peak
 from ftc_jsb.vocabulary.quantities import QUANTITIES
 
-GIVEN_UP = ("climb_given_up", "turn_given_up")  # for want of thrust
+GIVEN_UP = ("climb_given_up", "turn_given_up", "airspeed_given_up")  # for want of thrust
 ENVELOPE = ("load_factor", "bank_angle", "alpha", "sideslip")
 
 
@@ -24,6 +24,7 @@ def effort_metrics(record: npt.NDArray[Any]) -> dict[str, float | None]:
             record["outside_range"] > 0.5, record["outside_range"]
         ),
         **_peaks(record, GIVEN_UP),
+        "unattainable_fraction": fraction(record["unattainable"] > 0.5, record["unattainable"]),
         "thrust_travel_n_per_s": _travel(record["thrust_cmd"], duration),
         "load_factor_travel_per_s": _travel(record["load_factor_cmd"], duration),
         "bank_travel_deg_per_s": _travel(

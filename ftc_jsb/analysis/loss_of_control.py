@@ -20,6 +20,8 @@ DIVERGING = (  # variable, its title, error beyond which it is lost when it grow
     ("flight_path_angle", "flight path", math.radians(30.0)),  # [rad]
     ("heading", "heading", math.radians(90.0)),  # [rad]
 )
+GIVEN_UP = {"airspeed": "airspeed_given_up", "flight_path_angle": "climb_given_up"}  # on purpose
+HELD_PATH = math.radians(3.0)  # [rad]: a path error up to which a dive is flown as it was asked for
 AWAY = 5.0  # [s] over which the aircraft has gone away from its reference
 
 
@@ -72,14 +74,24 @@ def _diverging(record: npt.NDArray[Any], name: str, most: float, period: float) 
     A reference that goes away from the aircraft is none of the aircraft's doing.
     """
     value, error = record[name], record[name] - record[f"{name}_ref"]
+    if name in GIVEN_UP:
+        error = error + np.nan_to_num(record[GIVEN_UP[name]])
     if name == "airspeed":
         error = error / np.maximum(record["airspeed_ref"], 1.0)
+        error[_fast_at_idle(record)] = 0.0
     steps = max(round(AWAY / period), 1)
     result = np.zeros(record.size, dtype=bool)
     if record.size > steps:
         away = (value[steps:] - value[:-steps]) * error[steps:] > 0.0
         result[steps:] = away & (np.abs(error[steps:]) > most)
     return result
+
+
+def _fast_at_idle(record: npt.NDArray[Any]) -> Mask:
+    """Where idle thrust cannot hold the airspeed of the dive that was asked for: too fast, in control."""
+    dive = np.abs(record["flight_path_angle"] - record["flight_path_angle_ref"]) < HELD_PATH
+    fast = record["airspeed"] > record["airspeed_ref"]
+    return np.asarray((record["thrust_saturated"] > 0.5) & dive & fast)
 
 
 def _first_lasting(where: Mask, rows: int) -> int | None:

@@ -9,6 +9,7 @@ DEPARTED, FAILED, INTERRUPTED = "departed", "failed", "interrupted"
 VERDICTS = (INSIDE, BROKEN, LOST, DEPARTED, FAILED, INTERRUPTED)  # better ones first
 
 WRONG_ESTIMATE = 0.1  # of the effectiveness, 95 % of the settled samples: a wrong estimate
+SLOWER = 1.0  # [m/s] of airspeed given up from which on it is said
 NOTABLE = 0.05  # part of the time from which on being blind or outside the fit is said
 
 
@@ -66,6 +67,14 @@ def reservations(metrics: Metrics) -> list[Reservation]:
             found.append(
                 Reservation(f"{name} estimated blind ", place, percent, 0, " % of the time")
             )
+    short = metrics["unattainable_fraction"]
+    if short is not None and short > NOTABLE:
+        place = ("unattainable_fraction",)
+        found.append(Reservation("references not attainable ", place, percent, 0, " % of the time"))
+    slower = metrics["peak_airspeed_given_up_mps"]
+    if slower is not None and slower > SLOWER:
+        place = ("peak_airspeed_given_up_mps",)
+        found.append(Reservation("glides up to ", place, 1.0, 0, " m/s below its reference"))
     outside = metrics["outside_identified_fraction"]
     if outside is not None and outside > NOTABLE:
         place = ("outside_identified_fraction",)

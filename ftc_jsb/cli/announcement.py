@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 from ftc_jsb.cli.printing import message, progress_line
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ftc_jsb.scenario.schema import Scenario
 
 
@@ -16,9 +18,33 @@ def note(scenario: "Scenario") -> None:
         message(f"note: {text}")
 
 
-def announce(scenario: "Scenario") -> None:
-    """Say what is worth knowing before a scenario is flown."""
+def announce(scenario: "Scenario", overrides: "Sequence[str]" = (), compared: bool = False) -> None:
+    """Say what is worth knowing before a scenario is flown.
+
+    Args:
+        scenario: to be flown.
+        overrides: `key=value`, by which it differs from its file.
+        compared: its models and loops of [compare] are flown, in place of its own.
+    """
     note(scenario)
+    if overrides:
+        _unused(scenario, overrides, compared)
+    compiling()
+
+
+def _unused(scenario: "Scenario", overrides: "Sequence[str]", compared: bool) -> None:
+    from ftc_jsb.runs.unused_keys import unused_keys
+
+    models, loops = [scenario.model], [scenario.loop]
+    if compared:
+        models = list(scenario.compare.models)
+        loops = [scenario.loop.model_copy(update={"name": n}) for n in scenario.compare.loops]
+    for text in unused_keys(overrides, models, loops):
+        message(f"note: {text}")
+
+
+def compiling() -> None:
+    """Say that kernels will be compiled, if they have yet to be."""
     from ftc_jsb.compiled import is_first_run
 
     if is_first_run("ftc_jsb.simulation.sample"):

@@ -46,7 +46,7 @@ def compare(
         refuse_code(flown.compare.loops, scenario, overrides)
     margins = [read_margins(path) for path in margin_files]
     with output.folder(f"compare-{flown.name}") as folder:
-        announce(flown)
+        announce(flown, overrides, compared=True)
         flights, interrupted = compare_and_save(flown, folder, progress_for(flown, as_json))
         write_and_print(flights, folder, as_json, margins=margins)
     if interrupted:

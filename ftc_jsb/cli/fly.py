@@ -71,7 +71,7 @@ def fly(
         else:
             live = live._replace(realtime=live.realtime or 1.0)
     with output.folder(flown.name) as folder:
-        announce(flown)
+        announce(flown, overrides)
         with shown as directive, flying_beside(flown, live) as beside:
             result = fly_and_save(flown, folder, observers_for, beside, directive)
     for line in beside.summary() if beside is not None else ():

@@ -1,18 +1,26 @@
 """`ftc-jsb identify`: a point mass fitted to virtual flight tests of an aircraft."""
 
+import sys
+
 import click
 
+from ftc_jsb.cli.exit_codes import DONE, LIMIT_BROKEN
 from ftc_jsb.cli.options import Output, aircraft_argument, output_options
-from ftc_jsb.cli.printing import progress_line
+from ftc_jsb.cli.printing import message, progress_line
 
 
 @click.command()
 @aircraft_argument
 @output_options
 def identify(aircraft: str, output: Output) -> None:
-    """Fit the point mass of AIRCRAFT to virtual flight tests; write point_mass.toml."""
+    """Fit the point mass of AIRCRAFT to virtual flight tests; write point_mass.toml.
+
+    AIRCRAFT is a shipped one or a folder with aircraft.toml and inner_loop.xml, as `ftc-jsb inner-loop`
+    writes it. Exit code 1 where a residual is too large to fly on.
+    """
     from ftc_jsb.aircraft.description import load_aircraft
     from ftc_jsb.identify.identification import identify as run
+    from ftc_jsb.identify.judgement import shortcomings
     from ftc_jsb.identify.point_mass_contents import write_point_mass
 
     loaded = load_aircraft(aircraft)
@@ -22,3 +30,7 @@ def identify(aircraft: str, output: Output) -> None:
     for key, value in contents["identification"].items():
         click.echo(f"{key}: {value}")
     click.echo(f"Written: {folder / 'point_mass.toml'}")
+    short = shortcomings(contents["identification"])
+    for what in short:
+        message(f"not good enough: {what}")
+    sys.exit(LIMIT_BROKEN if short else DONE)

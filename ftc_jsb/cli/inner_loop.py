@@ -1,9 +1,12 @@
 """`ftc-jsb inner-loop`: inner loops designed, flown and judged."""
 
+import sys
+
 import click
 
+from ftc_jsb.cli.exit_codes import DONE, LIMIT_BROKEN
 from ftc_jsb.cli.options import Output, output_options
-from ftc_jsb.cli.printing import progress_line
+from ftc_jsb.cli.printing import message, progress_line
 
 
 @click.command("inner-loop")
@@ -13,14 +16,23 @@ from ftc_jsb.cli.printing import progress_line
 def inner_loop(aircraft: tuple[str, ...], judge: bool, output: Output) -> None:
     """Design the inner loop of each AIRCRAFT: write inner_loop.xml, the steps' table and figure.
 
-    One folder for each in DIR; with --report only table and figures, all in DIR.
+    AIRCRAFT is a shipped one, a folder with aircraft.toml, or an aircraft of the installed jsbsim
+    package, such as T37, whose aircraft.toml is drafted. One folder for each in DIR; with --report
+    only table and figures, all in DIR. Exit code 1 where a step misses a criterion of its class.
     """
-    from ftc_jsb.aircraft.description import load_aircraft
-    from ftc_jsb.report.inner_loop_output import design_and_report, report_steps
+    from ftc_jsb.report.inner_loop_output import (
+        design_and_report,
+        loaded_or_drafted,
+        report_steps,
+    )
 
-    loaded = [load_aircraft(name) for name in aircraft]
     with output.folder("inner-loop") as folder:
+        loaded = [loaded_or_drafted(name, folder, progress_line) for name in aircraft]
         if not judge:
             loaded = design_and_report(loaded, folder, progress_line)
-        click.echo(report_steps(loaded, folder))
+        table, missed = report_steps(loaded, folder)
+        click.echo(table)
     click.echo(f"Written: {folder}")
+    for what in missed:
+        message(f"not good enough: {what}")
+    sys.exit(LIMIT_BROKEN if missed else DONE)

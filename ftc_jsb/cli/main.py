@@ -7,6 +7,7 @@ import click
 
 import ftc_jsb
 from ftc_jsb.cli.bench import bench
+from ftc_jsb.cli.campaign import campaign
 from ftc_jsb.cli.check import check
 from ftc_jsb.cli.compare import compare
 from ftc_jsb.cli.convert import convert
@@ -22,6 +23,7 @@ from ftc_jsb.cli.margins import margins
 from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
+from ftc_jsb.cli.theory import theory
 from ftc_jsb.errors import UserError
 from ftc_jsb.interruption import ended_by_signals
 
@@ -59,7 +61,7 @@ def main() -> None:
 
 
 for _command in (
-    bench, check, compare, convert, export, figures, fly,
-    identify, inner_loop, list_, margins, replay, report,
+    bench, campaign, check, compare, convert, export, figures, fly,
+    identify, inner_loop, list_, margins, replay, report, theory,
 ):  # fmt: skip
     main.add_command(_command)

@@ -7,9 +7,9 @@ force smoothly as its bound comes near, and leaves the wanted rates alone elsewh
 import math
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.energy import Budget, payable_climb
 from ftc_jsb.control.law import Rates
 from ftc_jsb.control.limits import Limits, PathState
-from ftc_jsb.control.priority import Budget, payable_climb
 from ftc_jsb.point_mass.model import Condition
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord
 

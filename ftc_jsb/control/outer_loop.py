@@ -5,6 +5,7 @@ takes the effectiveness from. It reads one row of the recording and writes its d
 """
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.attainment import record_attainment
 from ftc_jsb.control.decision import (
     demand_of_law,
     drag_beyond_polar,
@@ -21,7 +22,7 @@ from ftc_jsb.control.known_state import update_known_state
 from ftc_jsb.control.law import Rates
 from ftc_jsb.control.limits import limits_now
 from ftc_jsb.control.observer import observe, record_estimates
-from ftc_jsb.control.priority import Budget, put_speed_first
+from ftc_jsb.control.priority import put_speed_first
 from ftc_jsb.control.records import LoopArrays
 from ftc_jsb.control.start import start_loop
 from ftc_jsb.point_mass.model import at_condition
@@ -53,15 +54,15 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
     errors = tracking_errors(s, x, row)
     state = state_for_law(s, x)
     effectiveness = effectiveness_for_law(s, x, row)
-    wanted = wanted_rates(s, x, row, state, errors)
+    asked = wanted_rates(s, x, row, state, errors)
     unpaid = drag_beyond_polar(s, x, at, row, state.airspeed, effectiveness.thrust)
-    budget = Budget(effectiveness.thrust * at.thrust_maximum, x.sustained)
-    wanted = put_speed_first(s, x, at, row, state, budget, wanted)
+    wanted = put_speed_first(s, m, x, at, row, state, effectiveness.thrust, asked)
     limits = limits_now(s, m, at, state.airspeed)
-    wanted = keep_inside_envelope(s, m, x, at, state, effectiveness.thrust, limits, wanted)
-    wanted = Rates(wanted.airspeed + unpaid, wanted.flight_path_angle, wanted.heading)
+    allowed = keep_inside_envelope(s, m, x, at, state, effectiveness.thrust, limits, wanted)
+    wanted = Rates(allowed.airspeed + unpaid, allowed.flight_path_angle, allowed.heading)
     demand = demand_of_law(s, x, at, row, state, effectiveness, wanted, limits)
     limit_demand(x, at, row, demand, limits)
+    record_attainment(s, x, row, errors, asked, allowed)
     integrate_errors(s, x, row, errors)
     command_inner_loop(s, x, row, limits)
     advance_trim_input(s, x, row)

@@ -2,58 +2,50 @@
 
 Not in the paper, whose law asks for what the references ask for. Here airspeed comes first. The
 along-path force that full thrust can still deliver, less drag, pays for acceleration and climb; what
-it cannot pay for is taken from the climb down to level flight, then from the turn, and in the end,
-wings level, by a descent. What is given up comes and goes with a lag, so that nothing chatters and the
-law, which is linear about u_n, gets no steps; where thrust suffices it is zero.
+it cannot pay for is taken from the path, down to a descent of 3 deg, then from the turn, and then,
+wings level, from the path again. Where a descent of 5 deg is not enough the aircraft glides: slower
+(`glide.py`), not climbing, turning gently. What is given up comes and goes with a lag, so that nothing
+chatters and the law, which is linear about u_n, gets no steps; where thrust suffices it is zero.
 """
 
 import math
 from typing import NamedTuple
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.energy import Budget, payable_climb
+from ftc_jsb.control.glide import STEEPEST, slowest_airspeed, sustainable_airspeed
 from ftc_jsb.control.law import Rates
-from ftc_jsb.control.limits import PathState
-from ftc_jsb.point_mass.dynamics import polar_drag
+from ftc_jsb.control.limits import PathState, limits_now
 from ftc_jsb.point_mass.model import Condition
-from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, Row, Vector
+from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row, Vector
 
 GIVING_UP = 0.5  # [s], lag
 REGAINING = 2.0  # [s], lag: slower, since heading errors ask for more than they did before
 RECOVERY = 0.5  # [m/s^2]: the most that regaining lost airspeed may take from climb and turn
+SHALLOW = math.radians(3.0)  # [rad]: descent that pays for a turn before the turn is given up
 DESCENT = math.radians(15.0)  # [rad]: the steepest descent that is chosen to keep airspeed
 PUSH = 0.5  # load factor that lowering or raising the path may take
 HALVINGS = 24  # of the turn's share: to 1e-7 of it
+GENTLE_TURN = math.tan(
+    math.radians(25.0)
+)  # level part of the load factor that a glide still turns with
+LASTING = 2.0  # [s], lag of the effectiveness that a glide is decided by
+SLOWER = 0.1  # [m/s] of airspeed given up, from which on it is a glide
 
 
-class Budget(NamedTuple):
-    """What there is to pay with for acceleration, climb and turn."""
+class Request(NamedTuple):
+    """What is wanted of the thrust."""
 
-    thrust: float  # that can be delivered, effectiveness included [N]
-    unpaid: float  # deceleration by drag that the polar does not know of [m/s^2]
-
-
-@compiled
-def payable_climb(
-    at: Condition, budget: Budget, airspeed: float, load_factor: float, acceleration: float
-) -> float:
-    """Sine of the path angle at which a budget still gives an acceleration [m/s^2]."""
-    thrust = budget.thrust
-    drag, alpha = polar_drag(at, airspeed, thrust, load_factor)
-    force = (thrust * math.cos(alpha) - drag) / at.mass - budget.unpaid
-    climb = (force - acceleration) / at.gravity
-    return float(min(max(climb, -1.0), 1.0))
+    path_ref: float  # reference [rad]
+    acceleration_ref: float  # of the reference [m/s^2]
+    acceleration: float  # that is wanted [m/s^2]
+    heading_rate: float  # wanted [rad/s]
+    turn_kept: float  # part of the turn that a descent pays for, 0 or 1
 
 
 @compiled
 def affordable(
-    at: Condition,
-    budget: Budget,
-    airspeed: float,
-    path: float,
-    path_ref: float,
-    acceleration_ref: float,
-    acceleration: float,
-    heading_rate: float,
+    at: Condition, budget: Budget, airspeed: float, path: float, request: Request
 ) -> tuple[float, float]:
     """Path angle and part of the turn that a thrust can pay for in the long run.
 
@@ -61,25 +53,26 @@ def affordable(
         at: the model at this flight condition.
         budget: with the most thrust that can be delivered.
         airspeed, path: [m/s], [rad].
-        path_ref: reference [rad].
-        acceleration_ref, acceleration: that of the reference, and the one that is wanted [m/s^2].
-        heading_rate: wanted [rad/s].
+        request: what is wanted.
 
     Returns:
         Path angle [rad] and part of the heading rate: the reference and 1 where nothing is given up.
     """
-    acceleration = acceleration_ref + min(acceleration - acceleration_ref, RECOVERY)
+    acceleration = request.acceleration_ref
+    acceleration += min(request.acceleration - request.acceleration_ref, RECOVERY)
     level = math.cos(path)
-    turn = airspeed / at.gravity * level * heading_rate  # level part of the load factor
+    turn = airspeed / at.gravity * level * request.heading_rate  # level part of the load factor
     climb = payable_climb(at, budget, airspeed, math.hypot(level, turn), acceleration)
-    floor = min(path_ref, 0.0)
+    floor = min(request.path_ref, -SHALLOW)
     if climb >= math.sin(floor):
-        return min(path_ref, math.asin(climb)), 1.0
-    share = _turn_share(at, budget, airspeed, level, turn, acceleration, math.sin(floor))
-    if share > 0.0:
-        return floor, share
-    straight = payable_climb(at, budget, airspeed, level, acceleration)
-    return min(max(math.asin(straight), -DESCENT), floor), 0.0
+        return min(request.path_ref, math.asin(climb)), 1.0
+    share = request.turn_kept
+    if share == 0.0:
+        share = _turn_share(at, budget, airspeed, level, turn, acceleration, math.sin(floor))
+        if share > 0.0:
+            return floor, share
+    straight = payable_climb(at, budget, airspeed, math.hypot(level, share * turn), acceleration)
+    return min(max(math.asin(straight), -DESCENT), floor), share
 
 
 @compiled
@@ -105,6 +98,86 @@ def give_up(
 
 
 @compiled
+def put_speed_first(
+    s: LoopSettings,
+    m: ModelRecord,
+    x: LoopState,
+    at: Condition,
+    row: Row,
+    flight: PathState,
+    effectiveness: float,
+    wanted: Rates,
+) -> Rates:
+    """Wanted rates less what is given up for want of thrust; as they are where the settings say so.
+
+    Args:
+        s, m, x, at, row: settings, model and state of the loop, model at this condition, row of the recording.
+        flight: airspeed and path angle that the law is evaluated at.
+        effectiveness: of thrust.
+        wanted: by the references and errors.
+    """
+    if s.speed_first == 0:
+        row.climb_given_up, row.turn_given_up, row.airspeed_given_up = 0.0, 0.0, 0.0
+        return wanted
+    budget = Budget(effectiveness * at.thrust_maximum, x.sustained)
+    gentlest = GENTLE_TURN * at.gravity / flight.airspeed  # [rad/s]
+    gentle = min(max(wanted.heading, -gentlest), gentlest)
+    give_up_airspeed(s, m, x, at, row, flight, effectiveness, gentle)
+    path_ref, heading_rate, turn_kept = row.flight_path_angle_ref, wanted.heading, 0.0
+    if x.given_up[2] > SLOWER:
+        path_ref, heading_rate, turn_kept = min(path_ref, 0.0), gentle, 1.0
+    acceleration = wanted.airspeed - s.gains[0] * x.given_up[2]
+    request = Request(path_ref, row.airspeed_ref_rate, acceleration, heading_rate, turn_kept)
+    path, share = affordable(at, budget, flight.airspeed, flight.flight_path_angle, request)
+    if wanted.heading != 0.0:
+        share *= heading_rate / wanted.heading
+    per_g = at.gravity / flight.airspeed
+    target = (path, share)
+    lowering = give_up(x.given_up, target, row.flight_path_angle_ref, per_g, s.dt)
+    row.climb_given_up, row.airspeed_given_up = x.given_up[0], x.given_up[2]
+    row.turn_given_up = abs(x.given_up[1] * row.heading_ref_rate)
+    return Rates(
+        wanted.airspeed,
+        wanted.flight_path_angle - (lowering + s.gains[1] * x.given_up[0]),
+        wanted.heading - x.given_up[1] * wanted.heading,
+    )
+
+
+@compiled
+def give_up_airspeed(
+    s: LoopSettings,
+    m: ModelRecord,
+    x: LoopState,
+    at: Condition,
+    row: Row,
+    flight: PathState,
+    effectiveness: float,
+    heading_rate: float,
+) -> None:
+    """Move the airspeed that is given up towards what the thrust left asks for.
+
+    By an effectiveness that lasts: an estimate in turbulence may be low for a moment.
+    """
+    airspeed, wanted = flight.airspeed, 0.0
+    x.lasting += (1.0 - math.exp(-s.dt / LASTING)) * (min(effectiveness, 1.0) - x.lasting)
+    budget = Budget(x.lasting * at.thrust_maximum, x.sustained)
+    load_factor = math.hypot(1.0, airspeed / at.gravity * heading_rate)
+    steepest = min(STEEPEST, math.sin(row.flight_path_angle_ref))
+    sinking = payable_climb(at, budget, airspeed, load_factor, 0.0) < steepest
+    if sinking or x.given_up[2] > SLOWER:
+        limits = limits_now(s, m, at, airspeed)
+        slowest = slowest_airspeed(m, limits, airspeed, at.sound_speed)
+        beyond = budget.unpaid / (airspeed * airspeed)
+        fastest = max(row.airspeed_ref, slowest)
+        kept = sustainable_airspeed(
+            m, x.known.altitude, x.lasting, beyond, load_factor, steepest, slowest, fastest
+        )
+        wanted = max(row.airspeed_ref - kept, 0.0)
+    lag = GIVING_UP if wanted > x.given_up[2] else REGAINING
+    x.given_up[2] += (1.0 - math.exp(-s.dt / lag)) * (wanted - x.given_up[2])
+
+
+@compiled
 def _turn_share(
     at: Condition,
     budget: Budget,
@@ -126,42 +199,3 @@ def _turn_share(
         else:
             high = middle
     return low
-
-
-@compiled
-def put_speed_first(
-    s: LoopSettings,
-    x: LoopState,
-    at: Condition,
-    row: Row,
-    state: PathState,
-    budget: Budget,
-    wanted: Rates,
-) -> Rates:
-    """Wanted rates less what is given up for want of thrust; as they are where the settings say so.
-
-    Args:
-        s, x, at, row: settings and state of the loop, model at this condition, row of the recording.
-        state: airspeed and path angle that the law is evaluated at.
-        budget: with the most thrust that can be delivered.
-        wanted: by the references and errors.
-    """
-    path_rate, heading_rate = wanted.flight_path_angle, wanted.heading
-    if s.speed_first == 1:
-        target = affordable(
-            at,
-            budget,
-            state.airspeed,
-            state.flight_path_angle,
-            row.flight_path_angle_ref,
-            row.airspeed_ref_rate,
-            wanted.airspeed,
-            heading_rate,
-        )
-        per_g = at.gravity / state.airspeed
-        lowering = give_up(x.given_up, target, row.flight_path_angle_ref, per_g, s.dt)
-        path_rate -= lowering + s.gains[1] * x.given_up[0]
-        heading_rate -= x.given_up[1] * wanted.heading
-    row.climb_given_up = x.given_up[0]
-    row.turn_given_up = abs(x.given_up[1] * wanted.heading)
-    return Rates(wanted.airspeed, path_rate, heading_rate)

@@ -20,8 +20,9 @@ def start_loop(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row
     for k in range(3):
         x.demand[k] = x.trim[k]
         x.integral[k] = 0.0
-    x.given_up[0], x.given_up[1] = 0.0, 0.0
+    x.given_up[0], x.given_up[1], x.given_up[2] = 0.0, 0.0, 0.0
     x.drag_beyond, x.sustained = 0.0, 0.0
+    x.short_time, x.lasting = 0.0, 1.0
     lag = x.inner_loop
     for axis in range(2):
         lag.command[axis] = x.trim[1 + axis]

@@ -55,6 +55,7 @@ FAULT = np.dtype(
         ("start", float),  # [s]
         ("end", float),  # [s]; inf = lasts
         ("rise", float),  # [s] of a ramp; 0 = step
+        ("fall", float),  # [s] of a ramp from the end on; 0 = step
         ("period", float),  # [s] of an intermittent fault; 0 = it stays
         ("duty", float),
         # effectiveness that is left, direction of a hard-over, or what the sensor is off by:
@@ -79,7 +80,7 @@ def fault_record(fault: Fault) -> npt.NDArray[Any]:
     record["target"] = TARGETS.index(fault.target)
     record["start"] = fault.start
     record["end"] = math.inf if fault.end is None else fault.end
-    record["rise"] = fault.rise or 0.0
+    record["rise"], record["fall"] = fault.rise or 0.0, fault.fall or 0.0
     record["period"], record["duty"] = fault.period or 0.0, fault.duty or 0.0
     record["value"] = fault.value
     return record
@@ -89,16 +90,24 @@ def fault_record(fault: Fault) -> npt.NDArray[Any]:
 def severity(fault: Any, time: float) -> float:
     """How much of a fault is there at a time [s], 0 to 1.
 
-    A fault acts from the first sample at or after its start, and no longer from its end on.
+    A fault acts from the first sample at or after its start, and no longer from its end on, or from there
+    falls in `fall`.
     """
     elapsed = time - fault.start + TIME_TOLERANCE
-    if elapsed < 0.0 or time >= fault.end - TIME_TOLERANCE:
+    if elapsed < 0.0:
         return 0.0
+    over = time - fault.end + TIME_TOLERANCE
+    if over >= fault.fall:
+        return 0.0
+    left = 1.0
+    if over > 0.0:
+        left = 1.0 - over / fault.fall
+        elapsed = fault.end - fault.start
     if fault.period > 0.0 and elapsed % fault.period >= fault.duty * fault.period:
         return 0.0
     if fault.rise > 0.0:
-        return float(min(elapsed / fault.rise, 1.0))
-    return 1.0
+        return float(left * min(elapsed / fault.rise, 1.0))
+    return left
 
 
 @compiled

@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ftc_jsb.identify.knots import knots_to_the_ends, mach_knots
+from ftc_jsb.identify.knots import at_most, knots_to_the_ends, mach_knots
 from ftc_jsb.identify.regression import RIDGE, Array, hats, products, second_differences, solve
 from ftc_jsb.identify.samples import Samples, between_knots
+from ftc_jsb.point_mass.model import ALPHA_KNOTS, ELEVATOR_KNOTS, MACH_KNOTS
 
 MACH_STEP = 0.025  # what is left of the drag there is its rise between knots
 ALPHA_STEP = np.radians(1.0)
@@ -65,10 +66,13 @@ def _angles_design(data: Samples, mach: Array, alpha: Array, elevator: Array) ->
 
 def fit_angles_drag(data: Samples, breaks: Sequence[float]) -> AnglesDrag:
     """C_D from Mach, alpha, elevator, pitch rate, flap and sideslip, relative residual."""
-    mach = mach_knots(data.mach, breaks, MACH_STEP)
-    alpha = knots_to_the_ends(data.alpha, ALPHA_STEP)
+    flown = data
+    mach = at_most(MACH_KNOTS, lambda step: mach_knots(flown.mach, breaks, step), MACH_STEP)
+    alpha = at_most(ALPHA_KNOTS, lambda step: knots_to_the_ends(flown.alpha, step), ALPHA_STEP)
     data = between_knots(data, mach)
-    elevator = knots_to_the_ends(data.elevator, ELEVATOR_STEP)
+    elevator = at_most(
+        ELEVATOR_KNOTS, lambda step: knots_to_the_ends(data.elevator, step), ELEVATOR_STEP
+    )
     m, n, k = len(mach), len(alpha), len(elevator)
     sizes = np.cumsum([m * n, n * k, n, n, 1, 1])
     level = 1.0 / np.mean(data.drag)

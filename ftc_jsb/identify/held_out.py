@@ -15,7 +15,7 @@ from ftc_jsb.point_mass.model import MODEL
 from ftc_jsb.point_mass.thrust import spool_rate
 from ftc_jsb.six_dof.commanded_flight import DT
 
-FIRST = 20  # samples of a flight that are left out: the rotor speed is not known at the start
+FIRST = 20  # samples of a flight that are left out: out of a trim JSBSim's rotors jump
 
 
 class DragResiduals(NamedTuple):
@@ -62,9 +62,11 @@ def thrust_residual(
     model = np.zeros(1, MODEL)
     model[0]["spool_up"], model[0]["spool_down"] = spool_up, spool_down
     residuals = []
-    for record in records:
+    for record in (whole[FIRST:] for whole in records):
         idle, military, maximum = deck.levels(record)
         speed = np.clip(record["throttle"], 0.0, 1.0)
+        at_first = (record["thrust"][0] - idle[0]) / (military[0] - idle[0])
+        speed[0] = np.sqrt(np.clip(at_first, 0.0, 1.0))  # what thrust tells of it there
         density = density_at(record["altitude"])
         for i in range(1, record.size):
             up = bool(speed[i] > speed[i - 1])
@@ -72,5 +74,5 @@ def thrust_residual(
             speed[i] = speed[i - 1] + np.clip(speed[i] - speed[i - 1], -most, most)
         dry = idle + (military - idle) * speed**2
         thrust = dry + np.clip(record["throttle"] - 1.0, 0.0, 1.0) * (maximum - dry)
-        residuals.append(((thrust - record["thrust"]) / maximum)[FIRST:])
+        residuals.append(((thrust - record["thrust"]) / maximum)[1:])
     return np.concatenate(residuals)

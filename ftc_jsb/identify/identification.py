@@ -38,10 +38,9 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
     """
     sheet = data_sheet(aircraft)
     sheet = sheet._replace(area=round(sheet.area, 6))  # as the file has it
-    tests = FlownTests(
-        _fly(aircraft, sheet.area, manoeuvres.training, progress),
-        _fly(aircraft, sheet.area, manoeuvres.held_out, progress),
-    )
+    fitted, without = _fly(aircraft, sheet.area, manoeuvres.training, progress)
+    held_out, other = _fly(aircraft, sheet.area, manoeuvres.held_out, progress)
+    tests = FlownTests(fitted, held_out, without + other)
     progress(f"fitting {sum(map(len, tests.fitted)) * DT:.0f} s of flight")
     return contents(aircraft, sheet, tests, _fit(aircraft, sheet.area, tests.fitted))
 
@@ -69,8 +68,9 @@ def _fit(aircraft: Aircraft, area: float, records: list[npt.NDArray[Any]]) -> Fi
 
 def _fly(
     aircraft: Aircraft, area: float, tests: Callable[..., Any], progress: Progress
-) -> list[npt.NDArray[Any]]:
-    records = []
+) -> tuple[list[npt.NDArray[Any]], int]:
+    """Recordings, and how many flights could not be flown."""
+    records, without = [], 0
     for manoeuvre in tests(aircraft.flight_test):
         record = fly_manoeuvre(aircraft, manoeuvre, area)
         flown = 0 if record is None else record.size
@@ -80,6 +80,8 @@ def _fly(
         )
         if record is not None and flown > SHORTEST:
             records.append(record)
+        else:
+            without += 1
     if not records:
         raise AircraftError(f"aircraft {aircraft.name!r}: no test flight could be flown")
-    return records
+    return records, without

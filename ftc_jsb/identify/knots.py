@@ -1,6 +1,6 @@
 """Where the knots of fitted tables stand."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -8,6 +8,7 @@ from ftc_jsb.identify.regression import Array
 
 MACH_STEP = 0.05
 END_SHARE = 0.3  # of a step by which data must go beyond the last regular knot to get one more
+COARSER = 1.25  # factor of the step where there are too many knots
 BREAK_WIDTH = 0.002  # [-], half the distance of the knots of a break
 
 
@@ -35,9 +36,26 @@ def mach_knots(values: Array, breaks: Sequence[float], step: float = MACH_STEP) 
     """
     regular = regular_knots(values, step)
     low, high = np.percentile(values, (1.0, 99.0))
+    if regular.size == 0:  # a range that is narrower than a step
+        regular = np.array([low, high])
     ends = [low] if regular[0] - low > END_SHARE * step else []
     ends += [high] if high - regular[-1] > END_SHARE * step else []
     regular = np.sort(np.concatenate([regular, ends]))
     pairs = np.array([m + side * BREAK_WIDTH for m in breaks for side in (-1.0, 1.0)])
     near = [np.min(np.abs(m - pairs), initial=np.inf) for m in regular]
     return np.sort(np.concatenate([regular[np.array(near) > 2.0 * BREAK_WIDTH], pairs]))
+
+
+def at_most(count: int, knots: Callable[[float], Array], step: float) -> Array:
+    """Knots of a step, or of the smallest larger one with which there are no more than `count`.
+
+    Args:
+        count: that the kernels hold.
+        knots: for a step.
+        step: that is wanted.
+    """
+    found = knots(step)
+    while len(found) > count:
+        step *= COARSER
+        found = knots(step)
+    return found

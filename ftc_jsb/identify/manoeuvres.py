@@ -6,7 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ftc_jsb.aircraft.airplane_class import AGILE
 from ftc_jsb.aircraft.description import FlightTest
+from ftc_jsb.aircraft.test_range import slowest
+
+MIXED_MARGIN = 25.0  # [m/s] above the slowest test
+MIXED_BANK = math.radians(110.0)
 
 # Commands at a time [s]: thrust fraction (0 idle, 1 maximum), load factor, flight path angle to
 # hold [rad] or nan, bank angle [rad]. With a path to hold, load factor is what holds it.
@@ -26,10 +31,10 @@ class Manoeuvre(NamedTuple):
 
 def training(test: FlightTest) -> Iterator[Manoeuvre]:
     """The flights that are fitted to."""
-    low, high = test.airspeed
+    high = test.airspeed[1]
     for number, altitude in enumerate(test.altitude):
         fuel = test.fuel_fraction[number % len(test.fuel_fraction)]
-        slow = max(low, _slowest(altitude))
+        slow = slowest(test, altitude)
         yield Manoeuvre("level acceleration", slow + 5.0, altitude, fuel, 50.0, _accelerate)
         yield Manoeuvre("level deceleration", 0.93 * high, altitude, fuel, 50.0, _decelerate)
         for airspeed in np.linspace(slow + 10.0, 0.93 * high, 5):
@@ -59,11 +64,6 @@ def held_out(test: FlightTest) -> Iterator[Manoeuvre]:
         altitude = float(random.uniform(test.altitude[0], test.altitude[-1]))
         fuel = float(random.uniform(test.fuel_fraction[0], test.fuel_fraction[-1]))
         yield _mixed(test, altitude, fuel, seed=9000 + seed)
-
-
-def _slowest(altitude: float) -> float:
-    """Airspeed [m/s] of 125 m/s at sea level at the same dynamic pressure (exponential density)."""
-    return 125.0 * math.exp(altitude / 2.0 / 9000.0)
 
 
 def _accelerate(time: float) -> tuple[float, float, float, float]:
@@ -100,18 +100,20 @@ def _climb(path: float) -> Schedule:
 def _mixed(test: FlightTest, altitude: float, fuel: float, seed: int) -> Manoeuvre:
     """Turns, rolls, pulls and throttle all at once, from a seeded sum of sines and steps."""
     random = np.random.default_rng(seed)
-    airspeed = float(
-        random.uniform(max(test.airspeed[0], _slowest(altitude)) + 25.0, 0.95 * test.airspeed[1])
-    )
+    slow, fast = slowest(test, altitude), 0.95 * test.airspeed[1]
+    margin = max(0.0, min(MIXED_MARGIN, 0.2 * slow, 0.5 * (fast - slow)))
+    airspeed = float(random.uniform(min(slow + margin, fast), fast))
     periods = random.uniform(4.0, 25.0, (3, 3))
     phases = random.uniform(0.0, 2.0 * math.pi, (3, 3))
-    pull = float(random.uniform(0.5, 2.5))
+    reach = min((test.load_factor[1] - 1.0) / (AGILE - 1.0), 1.0)
+    pull = reach * float(random.uniform(0.5, 2.5))
+    steepest = min(MIXED_BANK, 1.37 * math.acos(1.0 / test.load_factor[1]))
 
     def wave(row: int, time: float) -> float:
         return float(np.sin(2.0 * math.pi * time / periods[row] + phases[row]).mean())
 
     def schedule(time: float) -> tuple[float, float, float, float]:
-        bank = math.radians(110.0) * wave(0, time)
+        bank = steepest * wave(0, time)
         thrust = 0.55 + 0.9 * wave(1, time)
         load_factor = 1.0 / max(math.cos(bank), 0.3) + pull * wave(2, time)
         return thrust, load_factor, math.nan, bank

@@ -6,10 +6,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+from pydantic import ValidationError
 
 import ftc_jsb
 from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.aircraft.point_mass_file import PointMass
+from ftc_jsb.errors import AircraftError
 from ftc_jsb.identify.angles_drag import AnglesDrag
 from ftc_jsb.identify.held_out import drag_residuals, thrust_residual
 from ftc_jsb.identify.inner_loop_lag import Lag
@@ -18,6 +20,7 @@ from ftc_jsb.identify.regression import Array
 from ftc_jsb.identify.samples import samples
 from ftc_jsb.identify.thrust_deck import Deck
 from ftc_jsb.six_dof.data_sheet import DataSheet
+from ftc_jsb.typed_file import first_problem
 from ftc_jsb.units import STANDARD_GRAVITY
 
 
@@ -26,6 +29,7 @@ class FlownTests(NamedTuple):
 
     fitted: list[npt.NDArray[Any]]
     held_out: list[npt.NDArray[Any]]
+    not_flown: int  # for want of a trim, or at once out of range
 
 
 class FittedModel(NamedTuple):
@@ -142,9 +146,11 @@ def _identification(
     return {
         "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
         "command": f"ftc-jsb identify {aircraft.name}",
+        "jsbsim_model": aircraft.jsbsim_model,
         "jsbsim": jsbsim.__version__,
         "ftc_jsb": ftc_jsb.__version__,
         "flights": len(tests.fitted),
+        "flights_not_flown": tests.not_flown,
         "flights_held_out": len(tests.held_out),
         "held_out_beyond_mach_range_percent": round(100.0 * drag.beyond, 2),
         "alpha_range_deg": _range(np.degrees(alpha)),
@@ -159,10 +165,17 @@ def _identification(
 
 
 def write_point_mass(path: Path, contents: dict[str, Any]) -> None:
-    """Write `point_mass.toml`, having seen that it is valid."""
+    """Write `point_mass.toml`, having seen that it is valid.
+
+    Raises:
+        AircraftError: the fit has not what the file must hold.
+    """
     import tomli_w
 
-    PointMass(**contents)
+    try:
+        PointMass(**contents)
+    except ValidationError as error:
+        raise AircraftError(f"identification: {first_problem(error, PointMass)}") from None
     header = (
         f"# Made by `{contents['identification']['command']}`; how and how well it was fitted is\n"
         "# under [identification]. docs/aircraft.md explains the method. SI, rad.\n\n"

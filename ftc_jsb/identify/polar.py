@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ftc_jsb.identify.knots import mach_knots, regular_knots
+from ftc_jsb.identify.knots import MACH_STEP, at_most, mach_knots, regular_knots
 from ftc_jsb.identify.regression import RIDGE, Array, hats, products, second_differences, solve
 from ftc_jsb.identify.samples import Samples, between_knots
+from ftc_jsb.point_mass.model import LIFT_KNOTS, MACH_KNOTS
 
 LIFT_STEP = 0.025
 SMOOTH = 1e-3  # of the polar across Mach knots: what no flight has seen is like its neighbours
@@ -50,7 +51,8 @@ def fit_polar(data: Samples, breaks: Sequence[float]) -> Polar:
         data: samples whose drag is that without sideslip.
         breaks: Mach numbers at which flaps switch.
     """
-    mach, lift = mach_knots(data.mach, breaks), regular_knots(data.lift, LIFT_STEP)
+    mach = at_most(MACH_KNOTS, lambda step: mach_knots(data.mach, breaks, step), MACH_STEP)
+    lift = at_most(LIFT_KNOTS, lambda step: regular_knots(data.lift, step), LIFT_STEP)
     data = between_knots(data, mach, lift)
     m, n = len(mach), len(lift)
     level = 1.0 / np.mean(data.drag)

@@ -5,12 +5,18 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from ftc_jsb.aircraft.dynamic_pressure import density_at
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.identify.regression import Array, hats, products, second_differences, solve
 
 MACH_STEP = 0.1
 ALTITUDE_STEP = 3048.0  # [m]: 10 000 ft, as engine decks are published
+# Where no flight has settled, thrust over density goes on as at the neighbours: straight, else level.
+STRAIGHT, LEVEL = 1e-4, 1e-5  # of mean thrust: weights of second and first differences
+SEA_LEVEL_DENSITY = 1.225  # [kg/m^3]
 SETTLED = 150  # samples for which the throttle must have stood nearly still
+STILL = 50  # samples over which the rotor speed, as thrust tells it, may change by
+STILL_SPEED = 0.005  # of the largest of the flight
 
 
 class Deck(NamedTuple):
@@ -57,13 +63,18 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
         ]
     )
     m, n = len(mach), len(altitude)
-    smooth = np.kron(
-        np.eye(3),
-        np.vstack([second_differences(m, n), np.kron(np.eye(m), second_differences(n, 1))]),
+    curved = np.vstack([second_differences(m, n), np.kron(np.eye(m), second_differences(n, 1))])
+    sloped = np.vstack(
+        [
+            np.kron(np.diff(np.eye(m), axis=0), np.eye(n)),
+            np.kron(np.eye(m), np.diff(np.eye(n), axis=0)),
+        ]
     )
+    smooth = np.kron(np.eye(3), np.vstack([STRAIGHT * curved, LEVEL * sloped]))
     scale = 1.0 / np.abs(rows["thrust"]).mean()
     weight = np.full(len(rows), scale)
-    solution = solve(design, rows["thrust"], weight, [1e-5 * scale * smooth])
+    thinner = np.tile(density_at(altitude) / SEA_LEVEL_DENSITY, 3 * m)
+    solution = solve(design * thinner, rows["thrust"], weight, [scale * smooth]) * thinner
     idle, military, maximum = solution.reshape(3, m, n)
     if not reheat.any():
         maximum = military
@@ -71,9 +82,15 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
 
 
 def _settled(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
-    """Samples before which the throttle has moved by less than 0.02 in each tenth of a second."""
+    """Samples before which the throttle has moved by less than 0.02 in each tenth of a second.
+
+    And to which the thrust no longer goes: a large fan takes its time to spool.
+    """
     moving = np.abs(np.diff(record["throttle"], prepend=record["throttle"][0])) > 0.002
     since = np.arange(record.size) - np.maximum.accumulate(
         np.where(moving, np.arange(record.size), 0)
     )
-    return np.asarray(since > SETTLED)
+    speed = np.sqrt(np.maximum(record["thrust"], 0.0))  # as the rotor's, over the root of a thrust
+    change = np.full(record.size, np.inf)
+    change[STILL:] = np.abs(speed[STILL:] - speed[:-STILL])
+    return np.asarray((since > SETTLED) & (change < STILL_SPEED * speed.max()))

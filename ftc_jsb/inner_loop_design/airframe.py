@@ -7,15 +7,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ftc_jsb.aircraft.description import Aircraft
+from ftc_jsb.aircraft.test_range import REFERENCE_ALTITUDE, SOUND_SPEED
 from ftc_jsb.errors import AircraftError, TrimError
 from ftc_jsb.scenario.schema import Initial
-from ftc_jsb.six_dof.loading import load
+from ftc_jsb.six_dof.loading import initialise, load
 from ftc_jsb.six_dof.trim import set_condition, trimmed
 
 DT = 0.005  # [s]
-ALTITUDE = 3048.0  # [m] at which the Mach numbers are flown
-MACH = (0.4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.95, 1.0)
-SOUND_SPEED = 328.387  # [m/s] there
 FUEL = 0.5  # of internal fuel
 PERTURBATION = 0.05  # of a command that goes from -1 to 1
 LARGE = 0.5  # of such a command, to see how fast the surface goes
@@ -42,7 +40,7 @@ class Airframe(NamedTuple):
     rate: dict[str, float]  # [1/s], of a command that goes from -1 to 1
 
 
-def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...] = MACH) -> Airframe:
+def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...]) -> Airframe:
     """Lift slope, angular accelerations and surface rates of a woven aircraft.
 
     A surface command is perturbed to both sides of its trim; half the difference of the angular
@@ -61,7 +59,7 @@ def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...] = MACH) -> A
     roll: list[float] = []
     found: dict[str, list[float]] = {name: [] for name in ACCELERATION}
     for number in mach:
-        initial = Initial(airspeed=number * SOUND_SPEED, altitude=ALTITUDE)
+        initial = Initial(airspeed=number * SOUND_SPEED, altitude=REFERENCE_ALTITUDE)
         try:
             values = {
                 name: _control_effectiveness(aircraft, root, initial, name) for name in ACCELERATION
@@ -76,7 +74,7 @@ def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...] = MACH) -> A
     if not flown:
         raise AircraftError(
             f"aircraft {aircraft.name!r}: no trim from Mach {mach[0]:g} to {mach[-1]:g} at "
-            f"{ALTITUDE:g} m; the inner loop cannot be designed"
+            f"{REFERENCE_ALTITUDE:g} m; the inner loop cannot be designed"
         )
     for name, effectiveness in found.items():
         if min(effectiveness) * max(effectiveness) <= 0.0:
@@ -84,7 +82,7 @@ def measure(aircraft: Aircraft, root: Path, mach: tuple[float, ...] = MACH) -> A
                 f"aircraft {aircraft.name!r}: fcs/{name}-cmd-norm turns the aircraft by "
                 f"{effectiveness} rad/s2/psf over Mach; expected one sign"
             )
-    cruise = Initial(airspeed=flown[len(flown) // 2] * SOUND_SPEED, altitude=ALTITUDE)
+    cruise = Initial(airspeed=flown[len(flown) // 2] * SOUND_SPEED, altitude=REFERENCE_ALTITUDE)
     return Airframe(
         tuple(flown),
         tuple(slope),
@@ -153,7 +151,7 @@ def _lift_slope(aircraft: Aircraft, root: Path, initial: Initial) -> float:
         for surface in ACCELERATION:
             fdm[f"fcs/{surface}-cmd-norm"] = trim[f"fcs/{surface}-cmd-norm"]
         fdm["fcs/pitch-trim-cmd-norm"] = trim["fcs/pitch-trim-cmd-norm"]
-        fdm.run_ic()
+        initialise(fdm, aircraft.name)
         lift = fdm["forces/fbx-aero-lbs"] * math.sin(alpha)
         lift -= fdm["forces/fbz-aero-lbs"] * math.cos(alpha)
         if LOAD_FACTORS[0] <= lift / weight <= LOAD_FACTORS[1]:

@@ -4,11 +4,12 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ftc_jsb.inner_loop_design.airframe import Airframe
+from ftc_jsb.six_dof.weaving.numbers import system_name
 
 HEADER = """<?xml version="1.0"?>
 <!-- Made by `{command}` with jsbsim {jsbsim}: the numbers that ftc_jsb/six_dof/weaving/inner_loop_structure.xml
      reads for this aircraft. docs/aircraft.md says how they are found. -->
-<system name="ftc numbers">
+<system name="{name}">
 """
 
 
@@ -22,7 +23,7 @@ class References(NamedTuple):
 
 
 class Gains(NamedTuple):
-    """Feedback [1/s], the same for every aircraft: `design.GAINS`."""
+    """Feedback [1/s]: `design.gains`."""
 
     load_factor: float
     load_factor_integral: float
@@ -30,11 +31,18 @@ class Gains(NamedTuple):
     sideslip: float
     rate: float
     inversion: float
+    full_pressure: float  # [psf], from which load factor is fed back in full
+
+
+def feedback(gains: Gains) -> list[tuple[str, float]]:
+    """The gains [1/s] by name."""
+    return [(name, value) for name, value in gains._asdict().items() if name != "full_pressure"]
 
 
 def write_numbers(
     path: Path,
     command: str,
+    model: str,
     airframe: Airframe,
     references: References,
     gains: Gains,
@@ -45,6 +53,7 @@ def write_numbers(
     Args:
         path: of the file.
         command: that makes it, for the header.
+        model: the JSBSim aircraft that it is for.
         airframe: as measured.
         references: as searched for.
         gains: of the feedback.
@@ -52,7 +61,7 @@ def write_numbers(
     """
     import jsbsim
 
-    lines = [HEADER.format(command=command, jsbsim=jsbsim.__version__)]
+    lines = [HEADER.format(command=command, jsbsim=jsbsim.__version__, name=system_name(model))]
     lines += ["  <!-- Reference models: frequency [rad/s], damping; load factor limits -->"]
     lines += [
         _constant("load-factor/frequency", references.load_factor_frequency),
@@ -63,12 +72,10 @@ def write_numbers(
         _constant("load-factor/max", load_factor[1]),
         "",
         "  <!-- Feedback of load factor, its integral, bank, sideslip, body rates; inversion bandwidth",
-        "       [1/s] -->",
+        "       [1/s]; dynamic pressure from which load factor is fed back in full [psf] -->",
     ]
-    lines += [
-        _constant(f"gain/{name.replace('_', '-')}", value)
-        for name, value in gains._asdict().items()
-    ]
+    lines += [_constant(f"gain/{name.replace('_', '-')}", value) for name, value in feedback(gains)]
+    lines += [_constant("load-factor/full-gain-psf", gains.full_pressure)]
     lines += ["", "  <!-- Surface rates [1/s] of a command that goes from -1 to 1 -->"]
     lines += [_constant(f"airframe/{name}-rate", value) for name, value in airframe.rate.items()]
     lines += [

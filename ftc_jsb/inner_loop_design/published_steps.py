@@ -1,4 +1,4 @@
-"""The steps of docs/aircraft.md, flown at 200 and 300 m/s, 3048 m."""
+"""The steps of docs/aircraft.md, flown at the step airspeeds of the aircraft and about 3048 m."""
 
 import math
 from typing import Any, NamedTuple
@@ -7,13 +7,11 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.aircraft.description import Aircraft
+from ftc_jsb.aircraft.test_range import step_airspeeds, usual_altitude
 from ftc_jsb.errors import TrimError
+from ftc_jsb.inner_loop_design.handling import CLASSES, Handling, class_of, largest_step
 from ftc_jsb.inner_loop_design.step_commands import (
-    BANK_STEP,
-    MOST_STEP,
-    SHARE_OF_PULL,
     START,
-    THRUST_TIMES,
     bank_step,
     load_factor_step,
     ramp,
@@ -25,14 +23,11 @@ from ftc_jsb.inner_loop_design.step_response import StepResponse, step_response
 from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.six_dof.commanded_flight import DT, Commands
 
-AIRSPEEDS = (200.0, 300.0)  # [m/s]
-ALTITUDE = 3048.0  # [m]
 FUEL = 0.43  # of internal fuel
-STEP_TIME = 5.0  # [s]
-BANK_TIME = 6.0  # [s]
+BANK_EXTRA = 1.0  # [s] of a bank step beyond that of a load factor
 RAMP_TIME = 4.5  # [s]: to a load factor of 4.6
-TURN_TIME = 8.0  # [s]
-SETTLED = 3.0  # [s] after which a turn is steady
+SETTLED = 1.0  # [s] after the bank must have settled: a turn is steady
+TURN_EXTRA = 5.0  # [s] of steady turn
 PULL_TIME = 0.3  # [s] that a load factor must be held to count as pulled
 NEAR = 0.01  # of the span from idle to full: thrust has arrived
 
@@ -60,34 +55,42 @@ def fly_steps(aircraft: Aircraft, stock: bool = False) -> list[Steps]:
     Args:
         aircraft: as loaded.
         stock: fly the stock flight control.
+
+    Raises:
+        AircraftError: it cannot be woven, loaded or flown.
     """
+    handling = CLASSES[class_of(aircraft)]
     flown = []
-    for airspeed in AIRSPEEDS:
-        initial = Initial(airspeed=airspeed, altitude=ALTITUDE)
+    for airspeed in step_airspeeds(aircraft):
+        initial = Initial(airspeed=airspeed, altitude=usual_altitude(aircraft.flight_test))
         try:
-            flown.append(_steps(aircraft, initial, stock))
+            flown.append(_steps(aircraft, handling, initial, stock))
         except TrimError:
             continue
     return flown
 
 
-def _steps(aircraft: Aircraft, initial: Initial, stock: bool) -> Steps:
+def _steps(aircraft: Aircraft, handling: Handling, initial: Initial, stock: bool) -> Steps:
     def fly(commands: Commands, seconds: float) -> Flown:
         return fly_commands(aircraft, initial, FUEL, commands, seconds, stock=stock)
 
-    most = min(MOST_STEP, SHARE_OF_PULL * _pulled(fly(ramp, RAMP_TIME)))
-    pulled, rolled = fly(load_factor_step(most), STEP_TIME), fly(bank_step, BANK_TIME)
-    turned, pushed = fly(steep_turn, TURN_TIME), fly(thrust_steps, THRUST_TIMES[-1])
-    up, down, error = _thrust(pushed)
+    most = min(largest_step(aircraft), handling.pull_share * _pulled(fly(ramp, RAMP_TIME)))
+    seconds, bank = handling.step_time, handling.bank_step
+    pulled = fly(load_factor_step(most), seconds)
+    rolled = fly(bank_step(bank), seconds + BANK_EXTRA)
+    settled = handling.bank_settling + SETTLED
+    turned = fly(steep_turn(handling.steep_turn), settled + TURN_EXTRA)
+    pushed = fly(thrust_steps(handling.thrust_times), handling.thrust_times[-1])
+    up, down, error = _thrust(pushed, handling.thrust_times)
     return Steps(
         initial.airspeed,
         most,
         pulled,
         _step_response(pulled, "load_factor", pulled.load_factor_reference, 1.0, most),
         rolled,
-        _step_response(rolled, "bank_angle", rolled.bank_reference, 0.0, BANK_STEP),
+        _step_response(rolled, "bank_angle", rolled.bank_reference, 0.0, bank),
         float(np.abs(rolled.record["sideslip"]).max()),
-        float(np.abs(turned.record["sideslip"][round(SETTLED / DT) :]).max()),
+        float(np.abs(turned.record["sideslip"][round(settled / DT) :]).max()),
         pushed,
         up,
         down,
@@ -108,17 +111,17 @@ def _step_response(
     return step_response(flown.record["time"], flown.record[name], reference, first, last)
 
 
-def _thrust(flown: Flown) -> tuple[float, float, float]:
+def _thrust(flown: Flown, times: tuple[float, float, float]) -> tuple[float, float, float]:
     """Times to within NEAR of full and of idle, and the largest error at the end of each level."""
     time, thrust = flown.record["time"], flown.record["thrust"]
     idle, full = flown.levels[:, 0], flown.levels[:, 2]
     share = (thrust - idle) / (full - idle)
-    first, second, third = THRUST_TIMES
+    first, second, third = times
     rising = (time >= first) & (time < second)
     falling = (time >= second) & (time < third)
     up = time[rising & (share >= 1.0 - NEAR)]
     down = time[falling & (share <= NEAR)]
-    ends = [round(end / DT) - 2 for end in THRUST_TIMES]
+    ends = [round(end / DT) - 2 for end in times]
     error = max(abs(share[ends[0]]), abs(share[ends[1]] - 1.0), abs(share[ends[2]]))
     return (
         float(up[0] - first) if up.size else math.inf,

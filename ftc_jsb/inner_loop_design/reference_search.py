@@ -1,11 +1,14 @@
 """Search for the fastest references that an airframe follows, over a grid of flight conditions."""
 
+import math
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from ftc_jsb.aircraft.description import Aircraft
+from ftc_jsb.aircraft.test_range import design_airspeeds, design_altitudes
 from ftc_jsb.errors import AircraftError, TrimError
-from ftc_jsb.inner_loop_design.step_commands import BANK_STEP, bank_step, load_factor_step, pull
+from ftc_jsb.inner_loop_design.handling import CLASSES, Handling, class_of, largest_step
+from ftc_jsb.inner_loop_design.step_commands import bank_step, load_factor_step, most_pulled
 from ftc_jsb.inner_loop_design.step_flights import fly_commands
 from ftc_jsb.inner_loop_design.step_response import StepResponse, step_response
 from ftc_jsb.scenario.schema import Initial
@@ -13,15 +16,16 @@ from ftc_jsb.six_dof.data_sheet import data_sheet
 
 Progress = Callable[[str], None]
 
-# [rad/s], from a quarter of the inversion bandwidth down
-LOAD_FACTOR_FREQUENCIES = (9.0, 8.0, 7.0, 6.0, 5.0, 4.5, 4.0, 3.5, 3.0)
-BANK_FREQUENCIES = (8.0, 7.0, 6.0, 5.0, 4.5, 4.0, 3.5, 3.0, 2.5, 2.0)  # [rad/s]
-
-# Where the search flies: not where the steps of docs/aircraft.md are flown.
-AIRSPEEDS = (190.0, 240.0, 290.0)  # [m/s]
-ALTITUDES = (1500.0, 4000.0)  # [m]
+LOAD_FACTOR, BANK = "load-factor", "bank"  # as in the inner loop's properties
 FUEL = (0.2, 0.8)  # of internal fuel
-STEP_TIME = 5.0  # [s]
+FEWEST = 0.5  # of the conditions that must trim
+LOAD_FACTOR_OVERSHOOT, LOAD_FACTOR_FOLLOWING = 0.08, 0.15  # of the step
+BANK_OVERSHOOT, BANK_FOLLOWING = 0.03, 0.13
+SETTLING_SHARE = 0.85  # of the published time
+
+
+class NotFollowedError(AircraftError):
+    """No reference of an axis is followed at every condition."""
 
 
 class Criterion(NamedTuple):
@@ -36,37 +40,53 @@ class Criterion(NamedTuple):
 class Axis(NamedTuple):
     """A reference to be searched for."""
 
-    name: str  # as in the inner loop's properties
+    name: str  # LOAD_FACTOR or BANK
     frequencies: tuple[float, ...]  # [rad/s], to be tried in this order
     criterion: Criterion
 
 
-LOAD_FACTOR = Axis(
-    "load-factor",
-    LOAD_FACTOR_FREQUENCIES,
-    Criterion(overshoot=0.08, settling=float("inf"), sideslip=0.03, following=0.15),
-)
-BANK = Axis(
-    "bank",
-    BANK_FREQUENCIES,
-    Criterion(overshoot=0.03, settling=1.7, sideslip=0.03, following=0.13),
-)
+def axes(handling: Handling) -> tuple[Axis, Axis]:
+    """Load factor and bank of a class: the published criteria, with a margin."""
+    pulled = Criterion(
+        LOAD_FACTOR_OVERSHOOT, math.inf, handling.roll_sideslip, LOAD_FACTOR_FOLLOWING
+    )
+    settling = SETTLING_SHARE * handling.bank_settling
+    rolled = Criterion(BANK_OVERSHOOT, settling, handling.roll_sideslip, BANK_FOLLOWING)
+    return (
+        Axis(LOAD_FACTOR, handling.load_factor_frequencies, pulled),
+        Axis(BANK, handling.bank_frequencies, rolled),
+    )
 
 
-def search_grid(aircraft: Aircraft) -> Iterator[tuple[Initial, float]]:
-    """Level flight and fuel fraction at each point of the grid within the aircraft's test range."""
+def search_grid(aircraft: Aircraft, axis: str) -> Iterator[tuple[Initial, float]]:
+    """Level flight and fuel fraction at each point of the grid within the aircraft's test range.
+
+    For load factor also the highest altitude tested, at all but the slowest airspeed: there an
+    aircraft rings first, for want of pressure on its tail.
+
+    Args:
+        aircraft: as loaded.
+        axis: LOAD_FACTOR or BANK.
+
+    Raises:
+        AircraftError: the test range has no room.
+    """
     low, high = aircraft.flight_test.airspeed
-    for airspeed in AIRSPEEDS:
-        for altitude in ALTITUDES:
+    altitudes = design_altitudes(aircraft.flight_test)
+    airspeeds = design_airspeeds(aircraft)
+    points = [(airspeed, altitude) for airspeed in airspeeds for altitude in altitudes]
+    highest = max(aircraft.flight_test.altitude)
+    if axis == LOAD_FACTOR and highest > altitudes[-1]:
+        points += [(airspeed, highest) for airspeed in airspeeds[1:]]
+    for airspeed, altitude in points:
+        if low <= airspeed <= high:
             for fuel in FUEL:
-                if low <= airspeed <= high:
-                    yield Initial(airspeed=airspeed, altitude=altitude), fuel
+                yield Initial(airspeed=airspeed, altitude=altitude), fuel
 
 
 def fastest_reference(
     aircraft: Aircraft,
     axis: Axis,
-    conditions: list[tuple[Initial, float]],
     numbers: dict[str, float],
     progress: Progress,
 ) -> float:
@@ -75,14 +95,20 @@ def fastest_reference(
     Args:
         aircraft: woven with its measured airframe.
         axis: to be searched.
-        conditions: initial condition and fuel fraction; those that do not trim are left out.
         numbers: properties of the inner loop that are decided already.
         progress: told what is being done, a line at a time.
 
     Raises:
-        AircraftError: there is none.
+        NotFollowedError: there is none.
+        AircraftError: no trim at more than half of the conditions.
     """
-    remaining = list(conditions)
+    conditions = list(search_grid(aircraft, axis.name))  # those that do not trim are left out
+    remaining, asked = list(conditions), len(conditions)
+    if not conditions:
+        raise AircraftError(
+            f"aircraft {aircraft.name!r}: no airspeed of inner_loop.design_airspeeds lies within "
+            "flight_test.airspeed"
+        )
     unmet = ""
     for frequency in axis.frequencies:
         for condition in remaining:
@@ -93,8 +119,13 @@ def fastest_reference(
                     *condition,
                     {**numbers, f"ftc/{axis.name}/frequency": frequency},
                 )
-            except TrimError:  # too heavy, too slow or too fast for this aircraft
+            except TrimError as error:  # too heavy, too slow or too fast for this aircraft
                 conditions = [other for other in conditions if other != condition]
+                if len(conditions) < FEWEST * asked:
+                    raise AircraftError(
+                        f"aircraft {aircraft.name!r}: no trim at more than half of the {asked} "
+                        f"conditions of the design; the last: {error}"
+                    ) from None
                 continue
             unmet = _unmet(response, sideslip, axis.criterion)
             if unmet:
@@ -104,9 +135,11 @@ def fastest_reference(
                 remaining = [condition, *(c for c in conditions if c != condition)]
                 break
         else:
-            progress(f"{axis.name} {frequency:g} rad/s: kept at all {len(conditions)} conditions")
+            progress(
+                f"{axis.name} {frequency:g} rad/s: kept at {len(conditions)} of {asked} conditions"
+            )
             return frequency
-    raise AircraftError(
+    raise NotFollowedError(
         f"aircraft {aircraft.name!r}: no {axis.name} reference down to "
         f"{axis.frequencies[-1]:g} rad/s is followed: {unmet}"
     )
@@ -131,20 +164,23 @@ def fly_step(
     Raises:
         TrimError: no trim there.
     """
-    if axis == "bank":
-        flown = fly_commands(aircraft, initial, fuel_fraction, bank_step, STEP_TIME, numbers)
-        value, reference, last = flown.record["bank_angle"], flown.bank_reference, BANK_STEP
+    handling = CLASSES[class_of(aircraft)]
+    seconds = handling.step_time
+    if axis == BANK:
+        last = handling.bank_step
+        flown = fly_commands(aircraft, initial, fuel_fraction, bank_step(last), seconds, numbers)
+        value, reference = flown.record["bank_angle"], flown.bank_reference
         first = 0.0
     else:
         at_start = fly_commands(aircraft, initial, fuel_fraction, load_factor_step(1.0), 0.02)
-        most = pull(
-            aircraft.flight_test.lift_coefficient_max, data_sheet(aircraft).area, at_start.record[0]
-        )
+        lift, area = aircraft.flight_test.lift_coefficient_max, data_sheet(aircraft).area
+        most = most_pulled(lift, area, at_start.record[0])
+        last = min(largest_step(aircraft), handling.pull_share * most)
         flown = fly_commands(
-            aircraft, initial, fuel_fraction, load_factor_step(most), STEP_TIME, numbers
+            aircraft, initial, fuel_fraction, load_factor_step(last), seconds, numbers
         )
         value, reference = flown.record["load_factor"], flown.load_factor_reference
-        first, last = 1.0, most
+        first = 1.0
     response = step_response(flown.record["time"], value, reference, first, last)
     return response, float(abs(flown.record["sideslip"]).max())
 

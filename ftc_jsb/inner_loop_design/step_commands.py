@@ -8,12 +8,7 @@ from ftc_jsb.six_dof.commanded_flight import Commands
 from ftc_jsb.units import STANDARD_GRAVITY
 
 START = 1.0  # [s] of steady flight before a step
-MOST_STEP = 3.0  # load factor
-SHARE_OF_PULL = 0.8  # of what an aircraft can pull, where that is less than 3
-BANK_STEP = math.radians(60.0)
-STEEP = math.radians(70.0)
 RAMP_RATE = 0.8  # [1/s] of load factor
-THRUST_TIMES = (3.0, 9.0, 13.0)  # [s]: idle until, full until, idle again until
 BEYOND_ANY_ENGINE = 1e6  # [N]
 
 
@@ -26,19 +21,27 @@ def load_factor_step(most: float) -> Commands:
     return commands
 
 
-def bank_step(time: float, row: Any) -> tuple[float, float, float]:
-    """0 to 60 deg at START, load factor keeping the height."""
-    load_factor = 1.0 / math.cos(min(abs(float(row["bank_angle"])), 1.1))
-    return math.nan, load_factor, BANK_STEP if time >= START else 0.0
+def bank_step(bank: float) -> Commands:
+    """0 to `bank` [rad] at START, load factor keeping the height."""
+
+    def commands(time: float, row: Any) -> tuple[float, float, float]:
+        load_factor = 1.0 / math.cos(min(abs(float(row["bank_angle"])), 1.1))
+        return math.nan, load_factor, bank if time >= START else 0.0
+
+    return commands
 
 
-def steep_turn(time: float, row: Any) -> tuple[float, float, float]:
-    """A level turn at 70 deg of bank."""
-    return math.nan, 1.0 / math.cos(STEEP), STEEP
+def steep_turn(bank: float) -> Commands:
+    """A level turn at `bank` [rad]."""
+
+    def commands(time: float, row: Any) -> tuple[float, float, float]:
+        return math.nan, 1.0 / math.cos(bank), bank
+
+    return commands
 
 
-def pull(lift_coefficient_max: float, area: float, row: Any) -> float:
-    """Load factor of the step: 3, or 80 % of what the aircraft can pull at the flight condition.
+def most_pulled(lift_coefficient_max: float, area: float, row: Any) -> float:
+    """Load factor that an aircraft can pull at a flight condition.
 
     Args:
         lift_coefficient_max: of the aircraft.
@@ -46,7 +49,7 @@ def pull(lift_coefficient_max: float, area: float, row: Any) -> float:
         row: of a recording, at the flight condition.
     """
     lift = greatest_lift(row, area, lift_coefficient_max)
-    return min(MOST_STEP, SHARE_OF_PULL * lift / (float(row["mass"]) * STANDARD_GRAVITY))
+    return lift / (float(row["mass"]) * STANDARD_GRAVITY)
 
 
 def ramp(time: float, row: Any) -> tuple[float, float, float]:
@@ -54,11 +57,15 @@ def ramp(time: float, row: Any) -> tuple[float, float, float]:
     return math.nan, 1.0 + RAMP_RATE * time, 0.0
 
 
-def thrust_steps(time: float, row: Any) -> tuple[float, float, float]:
-    """Idle, full and idle again: far below the one, far above the other."""
-    full = THRUST_TIMES[0] <= time < THRUST_TIMES[1]
-    return (
-        (BEYOND_ANY_ENGINE if full else -BEYOND_ANY_ENGINE),
-        math.cos(float(row["flight_path_angle"])),
-        0.0,
-    )
+def thrust_steps(times: tuple[float, float, float]) -> Commands:
+    """Idle, full and idle again, each until its time [s]: far below the one, far above the other."""
+
+    def commands(time: float, row: Any) -> tuple[float, float, float]:
+        full = times[0] <= time < times[1]
+        return (
+            (BEYOND_ANY_ENGINE if full else -BEYOND_ANY_ENGINE),
+            math.cos(float(row["flight_path_angle"])),
+            0.0,
+        )
+
+    return commands

@@ -2,7 +2,8 @@
 
 import math
 
-from ftc_jsb.inner_loop_design.criteria import criteria_met
+from ftc_jsb.inner_loop_design.criteria import criteria_missed
+from ftc_jsb.inner_loop_design.handling import Handling
 from ftc_jsb.inner_loop_design.published_steps import Steps
 
 COLUMNS = (
@@ -12,7 +13,7 @@ COLUMNS = (
 )  # fmt: skip
 
 
-def table_row(name: str, steps: Steps) -> list[str]:
+def table_row(name: str, steps: Steps, handling: Handling) -> list[str]:
     """The numbers of one airspeed, as COLUMNS."""
     pulled, rolled = steps.load_factor_response, steps.bank_response
     return [
@@ -29,5 +30,5 @@ def table_row(name: str, steps: Steps) -> list[str]:
         f"{steps.thrust_up:.2f}",
         f"{steps.thrust_down:.2f}",
         f"{100.0 * steps.thrust_error:.1f}",
-        "kept" if criteria_met(steps) else "not kept",
+        "not kept" if criteria_missed(steps, handling) else "kept",
     ]

@@ -25,12 +25,19 @@ def level_scenario(
         altitude: [m].
 
     Raises:
-        UserError: neither a scenario nor an aircraft.
+        UserError: neither a scenario nor an aircraft; or one that the model does not fly.
     """
     if name in scenario_names() or Path(name).suffix == ".toml":
         base = load_scenario(name)
+        meant = {base.model, *base.compare.models}
     else:
         base = _of_aircraft(name)
+        meant = {"identified", "jsbsim"}
+    if model not in meant:
+        raise ScenarioError(
+            f"--model {model}: does not fly {base.aircraft.name!r}, the aircraft of {name}; "
+            f"expected one of {', '.join(sorted(meant))}"
+        )
     changes = {"airspeed": airspeed, "altitude": altitude, "flight_path_deg": 0.0}
     given = {key: value for key, value in changes.items() if value is not None}
     try:

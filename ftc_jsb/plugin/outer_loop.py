@@ -8,6 +8,7 @@ import numpy as np
 from ftc_jsb.aircraft.description import Aircraft, load_aircraft
 from ftc_jsb.aircraft.point_mass_file import PointMass, load_point_mass
 from ftc_jsb.compiled import direct
+from ftc_jsb.control.altitude_hold import altitude_hold
 from ftc_jsb.control.command_filter import command_filter
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import fault_records, schedule
@@ -18,7 +19,7 @@ from ftc_jsb.plugin.checks import check_aircraft, steps_per_sample
 from ftc_jsb.recording.columns import ROW, numbers
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.scenario.loop import Loop
-from ftc_jsb.scenario.reference import Reference, raw_commands
+from ftc_jsb.scenario.reference import Reference, climb_of, filter_lag, raw_commands
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
 from ftc_jsb.scenario.sensors import Sensors
 from ftc_jsb.simulation.assembly import OUTPUTS
@@ -26,9 +27,12 @@ from ftc_jsb.simulation.departure import FLYING, REASONS, departed
 from ftc_jsb.simulation.sample import LoopInputs, perceive
 from ftc_jsb.six_dof.engines import engine_count
 from ftc_jsb.six_dof.plant import JsbsimPlant
+from ftc_jsb.six_dof.point_mass_match import check_point_mass
 from ftc_jsb.six_dof.properties import readers, writer
 from ftc_jsb.six_dof.weaving.engine_deck import EFFECTIVENESS
 from ftc_jsb.units import POUND_MASS
+
+AT_REST = Reference(airspeed=((0.0, 100.0),), altitude=((0.0, 1000.0),), heading_deg=((0.0, 0.0),))
 
 
 class OuterLoop:
@@ -76,8 +80,10 @@ class OuterLoop:
         self._attach(loaded)
         self._observe(0)
         self._refuse_departed(departed(self._record, 0))
-        self._targets = [float(self._record[0][name]) for name in OUTPUTS]
-        self._loop = self._built_loop(load_point_mass(aircraft_folder(aircraft)), settings, mass)
+        self._targets = [float(self._record[0][name]) for name in OUTPUTS] + [math.nan]
+        point_mass = load_point_mass(aircraft_folder(aircraft))
+        check_point_mass(fdm, loaded, point_mass)
+        self._loop = self._built_loop(point_mass, settings, mass)
         self._inputs = self._at_rest()
         self._perceive = direct(perceive, self._inputs, 0)
         writer(fdm, "ftc/engaged")(1.0)
@@ -100,34 +106,44 @@ class OuterLoop:
 
     def _at_rest(self) -> LoopInputs:
         """Perfect instruments, and the command filter at rest on the first commands."""
-        reference, record = self._reference, self._record
-        shape = (reference.filter_frequency, reference.filter_damping) if reference else (3.0, 1.0)
+        record = self._record
+        reference = self._reference or AT_REST
+        shape = reference.filter_frequency, reference.filter_damping
         position = [float(record[0][axis]) for axis in ("north", "east", "altitude")]
-        filters = command_filter(*shape, 1.0 / self._rate, self._raw(0), position)
+        filters = command_filter(*shape, 1.0 / self._rate, self._raw(0)[:3], position)
+        hold = altitude_hold(*climb_of(reference), filter_lag(reference))
         sensors = sensor_record(Sensors(), 0, record)
-        return LoopInputs(Instruments(sensors, fault_records(()), record, numbers(record)), filters)
+        instruments = Instruments(sensors, fault_records(()), record, numbers(record))
+        return LoopInputs(instruments, filters, hold)
 
     def track(
         self,
         airspeed: float | None = None,
         flight_path_angle: float | None = None,
         heading: float | None = None,
+        altitude: float | None = None,
     ) -> None:
-        """New set-points [m/s], [rad], [rad], from the next sample on; None leaves one as it is.
+        """New set-points [m/s], [rad], [rad], [m], from the next sample on; None leaves one as it is.
 
         They pass through the command filter (3 rad/s, or that of `reference`), so that they may
-        be steps, or new at every sample.
+        be steps, or new at every sample. An altitude above sea level is reached and held until a
+        flight path angle is given, at 5 deg or the path of `reference`.
 
         Raises:
             LoopError: one is not finite, or the references are those of a scenario.
         """
         if self._reference is not None:
             raise LoopError("track: the references are those of the scenario this loop was given")
-        for k, value in enumerate((airspeed, flight_path_angle, heading)):
+        if flight_path_angle is not None and altitude is not None:
+            raise LoopError("track: flight_path_angle and altitude given; expected one of them")
+        given = (airspeed, flight_path_angle, heading, altitude)
+        for k, (name, value) in enumerate(zip((*OUTPUTS, "altitude"), given, strict=True)):
             if value is not None:
                 if not math.isfinite(value):
-                    raise LoopError(f"track: {OUTPUTS[k]} is {value!r}, expected a finite number")
+                    raise LoopError(f"track: {name} is {value!r}, expected a finite number")
                 self._targets[k] = float(value)
+        if flight_path_angle is not None:
+            self._targets[3] = math.nan
 
     def update(self) -> bool:
         """Take a sample of the outer loop where one is due; to be called before every `fdm.run()`.
@@ -158,10 +174,14 @@ class OuterLoop:
 
     def _sample(self, i: int) -> None:
         now, after = self._record[i], self._record[i + 1]
+        made = float(self._record[min(self._samples, 2)]["flight_path_angle_cmd_raw"])
         for k, row in enumerate((now, after)):
             row["time"] = (self._samples + k) / self._rate
-            for name, value in zip(OUTPUTS, self._raw(self._samples + k), strict=True):
+            commands = self._raw(self._samples + k)
+            for name, value in zip((*OUTPUTS, "altitude"), commands, strict=True):
                 row[f"{name}_cmd_raw"] = value
+        if self._inputs.altitude_hold[0]["active"]:
+            now["flight_path_angle_cmd_raw"] = made
         self._observe(i)
         self._refuse_departed(self._perceive(self._inputs, i))
         self._loop.step(i)

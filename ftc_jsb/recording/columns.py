@@ -46,7 +46,12 @@ def _reference() -> list[Variable]:
         *columns,
         Variable("north_ref", "m", "position north of the path that the references make"),
         Variable("east_ref", "m", "position east of the path that the references make"),
-        Variable("altitude_ref", "m", "altitude of the path that the references make"),
+        Variable(
+            "altitude_ref", "m", "altitude of that path, or planned where an altitude is commanded"
+        ),
+        Variable(
+            "altitude_cmd_raw", "m", "altitude command; nan where the flight path is commanded"
+        ),
     ]
 
 
@@ -146,7 +151,15 @@ def _outer_loop() -> list[Variable]:
         Variable("bank_angle_demand", "rad", "bank angle of the law, before the response lead"),
         Variable("climb_given_up", "rad", "path angle below the reference for want of thrust"),
         Variable(
-            "turn_given_up", "rad/s", "part of the wanted heading rate given up for want of thrust"
+            "turn_given_up",
+            "rad/s",
+            "part of the heading reference's rate given up for want of thrust",
+        ),
+        Variable("airspeed_given_up", "m/s", "airspeed below the reference for want of thrust"),
+        Variable(
+            "unattainable",
+            "1",
+            "1 while the references cannot be flown, for thrust or the envelope",
         ),
         Variable("thrust_saturated", "1", "1 while a limit holds the thrust command"),
         Variable("load_factor_saturated", "1", "1 while a limit holds the load factor command"),

@@ -40,7 +40,7 @@ class SetHeading(Section):
 
 
 class SetAltitude(Section):
-    """Climb or descend to `value` by a flight path command that ends level."""
+    """Climb or descend to `value` and hold it, until a flight path is commanded."""
 
     kind: Literal["set-altitude"] = "set-altitude"
     value: float = Field(ge=0.0, le=20000.0)  # m

@@ -39,7 +39,21 @@ def by_scenario(flights: Flights) -> dict[str, dict[str, Flight]]:
 def plain(scenario: Scenario) -> Scenario:
     """A scenario without what differs between the flights of one comparison."""
     loop = scenario.loop.model_copy(update={"name": "ftc"})
-    return scenario.model_copy(update={"model": "paper", "loop": loop, "compare": Compare()})
+    same = {"model": "paper", "loop": loop, "compare": Compare(), "title": "", "description": ""}
+    return scenario.model_copy(update=same)
+
+
+def flown_scenario(members: Mapping[str, Flight]) -> Scenario:
+    """The scenario of flights that share one: `fly` flies the first of them again, `compare` all.
+
+    Args:
+        members: at least one, of one group of `by_scenario`.
+    """
+    first = next(iter(members.values())).scenario
+    models = tuple(dict.fromkeys(flight.scenario.model for flight in members.values()))
+    loops = tuple(dict.fromkeys(flight.scenario.loop.name for flight in members.values()))
+    compared = first.compare.model_copy(update={"models": models, "loops": loops})
+    return first.model_copy(update={"compare": compared})
 
 
 def model_pairs(flights: Flights) -> list[tuple[str, str]]:

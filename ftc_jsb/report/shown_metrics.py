@@ -62,6 +62,8 @@ SHOWN_METRICS = (
     ShownMetric("saturated_time_s", "Time at a limit of thrust or load factor", "s", 2, True),
     _given_up("climb_given_up"),
     _given_up("turn_given_up"),
+    _given_up("airspeed_given_up"),
+    ShownMetric("unattainable_fraction", "Time in which references were not attainable", "%", 1, True, 100.0),
     ShownMetric("gain_margin_db", "Gain margin, least input", "dB", 1, group="Margins of the outer loop"),
     ShownMetric("phase_margin_deg", "Phase margin, least input", "deg", 1),
     ShownMetric("delay_margin_s", "Delay margin, least input", "s", 3),

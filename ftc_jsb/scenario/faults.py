@@ -74,6 +74,7 @@ class Fault(Section):
     end: Time | None = None  # s, recovery
     shape: Literal["step", "ramp", "intermittent"] = "step"
     rise: float | None = Field(None, gt=0.0, le=86400.0)  # s, of a ramp
+    fall: float | None = Field(None, gt=0.0, le=86400.0)  # s from `end` on, in which it goes again
     period: float | None = Field(None, gt=0.0, le=86400.0)  # s, of an intermittent fault
     duty: float | None = Field(None, gt=0.0, lt=1.0)  # part of each period that is faulty
 
@@ -107,6 +108,10 @@ class Fault(Section):
                 raise ValueError(f"a fault of shape {self.shape!r} {state} the key {key!r}")
         if self.end is not None and self.end <= self.start:
             raise ValueError(f"end must be later than start = {self.start} s")
+        if self.fall is not None and (self.end is None or self.shape == "intermittent"):
+            raise ValueError("fall: expected a fault with an end that is not intermittent")
+        if self.fall is not None and self.kind not in _RAMPED:
+            raise ValueError(f"fall: {self.kind!r} is there or not; it cannot go by a ramp")
         return self
 
     @property

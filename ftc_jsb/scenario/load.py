@@ -11,8 +11,18 @@ from pydantic import ValidationError
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.resources import shipped
 from ftc_jsb.scenario.keys import with_value
-from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.scenario.schema import DESCRIPTION_LENGTH, TITLE_LENGTH, Scenario
 from ftc_jsb.typed_file import first_problem
+
+_NOT_TOLD = (
+    "model",
+    "loop.name",
+    "compare.models",
+    "compare.loops",
+    "title",
+    "description",
+    "name",
+)
 
 
 def scenario_names() -> list[str]:
@@ -64,6 +74,7 @@ def load_scenario(name: str, overrides: Sequence[str] = ()) -> Scenario:
     values = tomllib.loads(text)
     for override in overrides:
         values = _overridden(values, override)
+    values = _told(values, overrides)
     try:
         return _validated(values)
     except ValidationError as error:
@@ -77,9 +88,19 @@ def parse_scenario(text: str, source: str) -> Scenario:
         ScenarioError: not TOML, or not a scenario.
     """
     try:
-        return _validated(tomllib.loads(text))
+        return scenario_of(tomllib.loads(text), source)
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"{source}: not TOML: {error}") from None
+
+
+def scenario_of(values: dict[str, Any], source: str) -> Scenario:
+    """Scenario of the contents of a file; `source` names it in messages.
+
+    Raises:
+        ScenarioError: not a scenario.
+    """
+    try:
+        return _validated(values)
     except ValidationError as error:
         raise ScenarioError(f"{source}: {first_problem(error, Scenario)}") from None
 
@@ -94,6 +115,21 @@ def scenario_toml(scenario: Scenario) -> str:
 def _validated(values: dict[str, Any]) -> Scenario:
     # Strict, by way of JSON: a text is no number, but an array may be a tuple.
     return Scenario.model_validate_json(json.dumps(values, default=str), strict=True)
+
+
+def _told(values: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
+    """Title and description say what of the file was changed: what they tell may be overtaken."""
+    changes = [text for text in overrides if text.partition("=")[0].strip() not in _NOT_TOLD]
+    title, description = values.get("title", ""), values.get("description", "")
+    if not changes or not isinstance(title, str) or not isinstance(description, str):
+        return values
+    said = f"changed: {', '.join(changes)}"
+    told = f"{title or values.get('name', '')} ({said})"
+    if len(told) > TITLE_LENGTH:
+        told = f"{title[: TITLE_LENGTH - 30]} (changed in {len(changes)} keys)"
+    note = f"Flown otherwise than the file has it, {said}. The file says:"
+    room = DESCRIPTION_LENGTH - len(description) - 1
+    return {**values, "title": told, "description": f"{note[:room]}\n{description.strip()}"}
 
 
 def _overridden(values: dict[str, Any], override: str) -> dict[str, Any]:

@@ -11,7 +11,8 @@ def notes(scenario: Scenario) -> list[str]:
         ("flight_path_deg", scenario.initial.flight_path_deg, "deg"),
         ("heading_deg", scenario.initial.heading_deg, "deg"),
     ):
-        wanted = getattr(scenario.reference, key)[0][1]
+        points = getattr(scenario.reference, key)
+        wanted = start if points is None else points[0][1]
         if wanted != start:
             found.append(
                 f"reference.{key} starts at {wanted:g} {unit}, initial.{key} is {start:g}: "

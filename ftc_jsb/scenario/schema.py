@@ -7,11 +7,12 @@ becomes is converted where it is made: references in `reference.py`, sizes of se
 
 from typing import Annotated, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.limits import Limits
 from ftc_jsb.scenario.loop import Loop
+from ftc_jsb.scenario.model_error import ModelError
 from ftc_jsb.scenario.reference import Reference
 from ftc_jsb.scenario.sensors import Sensors
 from ftc_jsb.scenario.types import Text
@@ -21,13 +22,19 @@ from ftc_jsb.typed_file import Section
 Model = Literal["paper", "identified", "jsbsim"]
 
 
+TITLE_LENGTH, DESCRIPTION_LENGTH = 300, 4000  # characters
 LONGEST_RECORDING = 4_000_000  # samples: 11 h at 100 Hz, about 3 GB
+
+
+def _as_text(name: object) -> object:
+    """A name that TOML reads as a number, such as 737, as text."""
+    return str(name) if isinstance(name, int) and not isinstance(name, bool) else name
 
 
 class AircraftChoice(Section):
     """[aircraft]: flown by the models `identified` and `jsbsim`."""
 
-    name: Text = "f16"
+    name: Annotated[Text, BeforeValidator(_as_text)] = "f16"
     flight_control: Literal["corrected", "stock"] = "corrected"
     fuel_fraction: float = Field(0.43, ge=0.0, le=1.0)  # of internal fuel
 
@@ -80,8 +87,8 @@ class Scenario(Section):
     """A whole scenario file."""
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)]
-    title: str = Field("", max_length=300)
-    description: str = Field("", max_length=4000)
+    title: str = Field("", max_length=TITLE_LENGTH)
+    description: str = Field("", max_length=DESCRIPTION_LENGTH)
     duration: float = Field(60.0, gt=0.0, le=86400.0)  # s
     model: Model = "paper"
     seed: int = Field(0, ge=0, le=2**31 - 1)
@@ -89,6 +96,7 @@ class Scenario(Section):
     initial: Initial = Initial()
     reference: Reference
     loop: Loop = Loop()
+    model_error: ModelError = ModelError()
     fault: Annotated[tuple[Fault, ...], Field(max_length=16)] = ()
     sensors: Sensors = Sensors()
     wind: Wind = Wind()

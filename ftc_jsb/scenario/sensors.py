@@ -26,6 +26,7 @@ class Sensors(Section):
     """[sensors]: what the outer loop sees of the aircraft."""
 
     profile: Literal["perfect", "tactical"] = "perfect"
+    inner_loop: bool | None = None  # whether it reads them, too; by default with `tactical`
     airspeed: Sensor | None = None  # m/s
     altitude: Sensor | None = None  # m
     alpha: Sensor | None = None
@@ -43,6 +44,11 @@ class Sensors(Section):
     east: Sensor | None = None
     elevator_position: Sensor | None = None
     flap_position: Sensor | None = None
+
+    @property
+    def reach_inner_loop(self) -> bool:
+        """Whether the inner loop of the 6-DOF aircraft reads what is measured, or the truth."""
+        return self.profile == "tactical" if self.inner_loop is None else self.inner_loop
 
     @model_validator(mode="after")
     def _units(self) -> Self:

@@ -8,6 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.aircraft.point_mass_file import PointMass, load_point_mass
+from ftc_jsb.aircraft.wrong_model import wrong_model
+from ftc_jsb.control.altitude_hold import altitude_hold
 from ftc_jsb.control.command_filter import command_filter
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import fault_records, schedule
@@ -16,7 +18,7 @@ from ftc_jsb.disturbance.weather import wind_record
 from ftc_jsb.loops.registry import RecordedLoop, build_loop
 from ftc_jsb.recording.columns import ROW, numbers
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
-from ftc_jsb.scenario.reference import raw_commands
+from ftc_jsb.scenario.reference import climb_of, filter_lag, raw_commands
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.plant import Plant
 from ftc_jsb.simulation.sample import LoopInputs
@@ -59,26 +61,32 @@ def assemble(
     model = aircraft.record(fuel)
     dt = 1.0 / scenario.loop.rate
     if plant is None:
-        plant = build_plant(scenario, model, dt, output)
+        plant = build_plant(scenario, _flown_point_mass(scenario).record(fuel), dt, output)
     setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
     first = [float(record[0][f"{name}_cmd_raw"]) for name in OUTPUTS]
     start = (0.0, 0.0, scenario.initial.altitude)
-    shape = scenario.reference.filter_frequency, scenario.reference.filter_damping
+    reference = scenario.reference
+    shape = reference.filter_frequency, reference.filter_damping
     filters = command_filter(*shape, dt, first, start)
+    hold = altitude_hold(*climb_of(reference), filter_lag(reference))
     loop = build_loop(setup, model, record)
     plant.reset(record)
     faults = fault_records(scenario.fault)
     sensors = sensor_record(scenario.sensors, scenario.seed, record, scenario.fault)
     instruments = Instruments(sensors, faults, record, numbers(record))
-    return Assembly(record, plant, loop, LoopInputs(instruments, filters), setup, model)
+    return Assembly(record, plant, loop, LoopInputs(instruments, filters, hold), setup, model)
 
 
 def point_mass_of(scenario: Scenario) -> PointMass:
-    """The point mass that the outer loop of this scenario counts on.
+    """The point mass that the outer loop of this scenario counts on, [model_error] included.
 
     Raises:
         AircraftError: no such aircraft.
     """
+    return wrong_model(_flown_point_mass(scenario), scenario.model_error)
+
+
+def _flown_point_mass(scenario: Scenario) -> PointMass:
     name = PAPER_AIRCRAFT if scenario.model == "paper" else scenario.aircraft.name
     return load_point_mass(aircraft_folder(name))
 
@@ -99,6 +107,8 @@ def build_plant(
             wind=scenario.wind,
             seed=scenario.seed,
             output=output,
+            measured=scenario.sensors.reach_inner_loop,
+            point_mass=_flown_point_mass(scenario),
         )
     from ftc_jsb.simulation.point_mass_plant import PointMassPlant
 
@@ -119,5 +129,6 @@ def blank_recording(scenario: Scenario, engines: int = 1) -> npt.NDArray[Any]:
     record["airspeed_cmd_raw"] = commands[:, 0]
     record["flight_path_angle_cmd_raw"] = commands[:, 1]
     record["heading_cmd_raw"] = commands[:, 2]
+    record["altitude_cmd_raw"] = commands[:, 3]
     schedule(fault_records(scenario.fault), engines, record)
     return record

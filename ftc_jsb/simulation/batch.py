@@ -85,6 +85,7 @@ class Cases(NamedTuple):
     sensors: npt.NDArray[Any]
     faults: npt.NDArray[Any]  # (n, CAPACITY) FAULT
     command_filter: npt.NDArray[Any]
+    altitude_hold: npt.NDArray[Any]
     substeps: npt.NDArray[np.int64]
     engines: npt.NDArray[np.int64]
 
@@ -92,7 +93,7 @@ class Cases(NamedTuple):
 def _case(scenario: Scenario, record: npt.NDArray[Any]) -> Cases:
     """One flight of a batch."""
     flown = assemble(scenario, record=record)
-    plant, loop, (instruments, command_filter) = flown.plant, flown.loop, flown.inputs
+    plant, loop, (instruments, filters, hold) = flown.plant, flown.loop, flown.inputs
     if not isinstance(plant, PointMassPlant) or not isinstance(loop, CompiledLoop):
         raise ScenarioError("a batch: expected point masses with built-in loops")
     return Cases(
@@ -103,7 +104,8 @@ def _case(scenario: Scenario, record: npt.NDArray[Any]) -> Cases:
         plant.arrays.wind,
         instruments.sensors,
         instruments.faults[None],
-        command_filter,
+        filters,
+        hold,
         np.array([plant.substeps]),
         np.array([flown.setup.aircraft.thrust.engines]),
     )
@@ -129,7 +131,7 @@ def fly_cases(cases: Cases, record: Records, table: Numbers, dt: float, result: 
         model = cases.model[one]
         instruments = Instruments(cases.sensors[one], cases.faults[c], record, table)
         flight = PointMassFlight(
-            LoopInputs(instruments, cases.command_filter[one]),
+            LoopInputs(instruments, cases.command_filter[one], cases.altitude_hold[one]),
             LoopArrays(cases.settings[one], model, cases.loop[one]),
             PointMassArrays(model, cases.wind[one], cases.plant[one]),
         )

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy.typing as npt
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.altitude_hold import hold_altitude, plan_as_reference
 from ftc_jsb.control.command_filter import reference_step
 from ftc_jsb.control.outer_loop import outer_loop_step
 from ftc_jsb.control.records import LoopArrays
@@ -19,10 +20,11 @@ from ftc_jsb.simulation.departure import FLYING, departed
 
 
 class LoopInputs(NamedTuple):
-    """What stands between a plant and its loop: instruments, and the filter that makes the references."""
+    """What stands between a plant and its loop: instruments, and what makes the references."""
 
     instruments: Instruments
     command_filter: npt.NDArray[Any]  # (1,) COMMAND_FILTER
+    altitude_hold: npt.NDArray[Any]  # (1,) ALTITUDE_HOLD
 
 
 class PointMassFlight(NamedTuple):
@@ -41,7 +43,9 @@ def perceive(inputs: LoopInputs, i: int) -> int:
         Why the flight has departed; FLYING if it has not.
     """
     measure(inputs.instruments, i)
+    hold_altitude(inputs.altitude_hold, inputs.instruments.record, i)
     reference_step(inputs.command_filter, inputs.instruments.record, i)
+    plan_as_reference(inputs.altitude_hold, inputs.command_filter)
     return int(departed(inputs.instruments.record, i))
 
 

@@ -27,7 +27,7 @@ from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import impossible
 from ftc_jsb.simulation.assembly import Assembly
-from ftc_jsb.simulation.set_points import climb, nearest_turn, ramp
+from ftc_jsb.simulation.set_points import nearest_turn, ramp
 from ftc_jsb.typed_file import first_problem
 
 
@@ -41,6 +41,7 @@ class Steering:
         self._model = flown.model
         self._loop = flown.loop
         self._instruments = flown.inputs.instruments
+        self._hold = flown.inputs.altitude_hold
         self._record = flown.record
         self._faults = scenario.fault
         self.applied: list[Applied] = []
@@ -102,28 +103,17 @@ class Steering:
             "set-heading": "heading_cmd_raw",
         }[command.kind]
         start, elapsed = float(self._record[row - 1][column]), self._elapsed(row)
+        if isinstance(command, SetFlightPath):
+            self._record["altitude_cmd_raw"][row:] = math.nan
         target = command.value
         if isinstance(command, SetHeading):
             target = nearest_turn(target, start)
         self._record[column][row:] = ramp(start, target, command.rate, elapsed)
 
     def _set_altitude(self, command: SetAltitude, row: int) -> None:
-        before = self._record[row - 1]
-        reference = self._scenario.reference
-        frequency, damping = reference.filter_frequency, reference.filter_damping
-        # What the command filter still has in it, if its input went to level now: its integral.
-        coming = 2.0 * damping / frequency * float(before["flight_path_angle_ref"])
-        coming += float(before["flight_path_angle_ref_rate"]) / frequency**2
-        airspeed = self._record["airspeed_cmd_raw"][row:]
-        height = command.value - float(before["altitude"]) - float(airspeed[0]) * math.sin(coming)
-        self._record["flight_path_angle_cmd_raw"][row:] = climb(
-            height,
-            float(before["flight_path_angle_cmd_raw"]),
-            command.flight_path,
-            command.rate,
-            airspeed,
-            self._elapsed(row),
-        )
+        self._hold[0]["steepest"] = command.flight_path
+        self._hold[0]["path_rate"] = command.rate
+        self._record["altitude_cmd_raw"][row:] = command.value
 
     def _elapsed(self, row: int) -> npt.NDArray[Any]:
         times: npt.NDArray[Any] = self._record["time"][row:] - self._record[row - 1]["time"]

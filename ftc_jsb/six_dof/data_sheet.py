@@ -5,7 +5,7 @@ from typing import NamedTuple
 from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.six_dof.engines import engine_count
 from ftc_jsb.six_dof.fuel_tanks import contents_property, tank_capacity
-from ftc_jsb.six_dof.loading import load
+from ftc_jsb.six_dof.loading import initialise, load
 from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 from ftc_jsb.units import FOOT, POUND_MASS
 
@@ -35,7 +35,7 @@ def data_sheet(aircraft: Aircraft) -> DataSheet:
     for tank in aircraft.fuel_tanks:
         capacity += tank_capacity(aircraft, fdm, tank)
         fdm[contents_property(tank)] = 0.0
-    fdm.run_ic()
+    initialise(fdm, aircraft.name)
     return DataSheet(
         area=float(fdm["metrics/Sw-sqft"]) * FOOT**2,
         empty_mass=fdm["inertia/weight-lbs"] * POUND_MASS,

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ftc_jsb.aircraft.description import Aircraft, load_aircraft
+from ftc_jsb.aircraft.point_mass_file import PointMass
 from ftc_jsb.compiled import direct
 from ftc_jsb.disturbance.weather import wind_record
 from ftc_jsb.disturbance.wind import wind_step
@@ -22,7 +23,9 @@ from ftc_jsb.six_dof.air import set_turbulence, start_in_wind
 from ftc_jsb.six_dof.engines import delivered_thrust, engine_count, thrust_property
 from ftc_jsb.six_dof.fault_writers import FaultWriters
 from ftc_jsb.six_dof.observation import JSBSIM_STATE, POSITION_NAMES, PROPERTIES, observe
+from ftc_jsb.six_dof.point_mass_match import check_point_mass
 from ftc_jsb.six_dof.properties import readers, writer
+from ftc_jsb.six_dof.sensor_errors import SensorErrors
 from ftc_jsb.six_dof.trim import trimmed
 from ftc_jsb.six_dof.weaving.faults import observed
 from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
@@ -46,6 +49,8 @@ class JsbsimPlant:
         wind: Wind | None = None,
         seed: int = 0,
         output: Path | None = None,
+        measured: bool = False,
+        point_mass: PointMass | None = None,
     ) -> None:
         """A plant that `reset` trims, or `attach` binds to an aircraft that flies.
 
@@ -57,7 +62,10 @@ class JsbsimPlant:
             wind: [wind] of a scenario; default: still air.
             seed: of the wind.
             output: a JSBSim output directive, by its absolute path.
+            measured: the inner loop reads what the sensors measure; otherwise the truth.
+            point_mass: that the outer loop counts on, to be seen that it is of this aircraft.
         """
+        self._point_mass = point_mass
         self._choice = choice
         self._initial = initial
         self._steps = steps
@@ -65,19 +73,23 @@ class JsbsimPlant:
         self._air = wind or Wind()
         self._seed = seed
         self._output = output
+        self._measured = measured
         self._state = np.zeros(1, JSBSIM_STATE)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
         """Weave, load, trim, check and engage; binds the recording to write to.
 
         Raises:
-            AircraftError, TrimError: with the property or the residuals.
+            AircraftError, TrimError: with the property or the residuals; or the point mass is another's.
         """
         aircraft = load_aircraft(self._choice.name)
-        root = woven_aircraft(aircraft, self._choice.flight_control == "corrected")
+        corrected = self._choice.flight_control == "corrected"
+        root = woven_aircraft(aircraft, corrected, self._measured)
         frame = self._sample / self._steps
         fuel = self._choice.fuel_fraction
         fdm = trimmed(aircraft, root, frame, self._initial, fuel, output=self._output)
+        if self._point_mass is not None:
+            check_point_mass(fdm, aircraft, self._point_mass)
         self._wind = wind_record(self._air, self._initial.altitude, self._seed, dryden=False)
         self._blow = direct(wind_step, self._wind, record, 0, self._sample)
         set_turbulence(fdm, self._air, self._seed)
@@ -88,6 +100,8 @@ class JsbsimPlant:
         self._winds = [writer(fdm, f"atmosphere/wind-{axis}-fps") for axis in WIND_AXES]
         engines = engine_count(fdm)
         self._faults = FaultWriters(fdm, engines, record, self._numbers)
+        if self._measured:
+            self._errors = SensorErrors(fdm, record, self._numbers, self._sample)
         level = math.cos(math.radians(self._initial.flight_path_deg))
         start = (delivered_thrust(fdm, engines), level, 0.0)
         for (write, _), value in zip(self._commands, start, strict=True):
@@ -149,6 +163,8 @@ class JsbsimPlant:
         """
         self.command(i)
         self._faults.write(i)
+        if self._measured:
+            self._errors.write(i)
         if self._windy:
             self._blow(self._wind, self._record, i, self._sample)
             north, east, up = self._wind[0]["now"].tolist()

@@ -9,13 +9,14 @@ from ftc_jsb.errors import AircraftError, TrimError
 from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.six_dof.engines import engine_count
 from ftc_jsb.six_dof.fuel_tanks import fill_tanks
-from ftc_jsb.six_dof.loading import load
+from ftc_jsb.six_dof.loading import initialise, load
 from ftc_jsb.six_dof.properties import node, write_checked
 from ftc_jsb.units import FOOT
 
 HOLD = 3.0  # [s] of hands-off flight that the trim must survive
 SPEED_DRIFT = 1.0  # [m/s] that it may drift by then
 PATH_DRIFT = 0.5  # [deg]
+_HELD: set[tuple[Path, float, Initial, float]] = set()  # trims that this process has seen hold
 
 
 def trimmed(
@@ -39,7 +40,10 @@ def trimmed(
         TrimError: no trim, or one that hands-off flight leaves; with the residuals.
         AircraftError: the aircraft cannot be loaded or set up.
     """
-    _check_hold(aircraft, _trim(aircraft, root, dt, initial, fuel_fraction), initial)
+    condition = (root, dt, initial, fuel_fraction)  # the root is named after the whole aircraft
+    if condition not in _HELD:
+        _check_hold(aircraft, _trim(aircraft, root, dt, initial, fuel_fraction), initial)
+        _HELD.add(condition)
     return _trim(aircraft, root, dt, initial, fuel_fraction, output)  # the same, at time zero
 
 
@@ -77,13 +81,7 @@ def _trim(
     if output is not None and not fdm.set_output_directive(str(output)):
         raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim refuses the output {output}")
     set_condition(aircraft, fdm, initial, fuel_fraction)
-    try:
-        accepted = fdm.run_ic()
-    except Exception as error:  # an unknown property in the woven systems, say
-        said = " ".join(str(error).split())[:400]
-        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim: {said}") from None
-    if not accepted:
-        raise TrimError(f"aircraft {aircraft.name!r}: JSBSim refuses the initial condition")
+    initialise(fdm, aircraft.name)
     fdm["propulsion/set-running"] = -1
     try:
         fdm["simulation/do_simple_trim"] = 1

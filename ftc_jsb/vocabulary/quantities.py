@@ -69,6 +69,7 @@ _ALL = (
     Quantity("alpha", "alpha_deg", "Angle of attack", "deg", DEGREES),
     Quantity("sideslip", "sideslip_deg", "Sideslip", "deg", DEGREES),
     Quantity("climb_given_up", "climb_given_up_deg", "Climb given up for want of thrust", "deg", DEGREES),
+    Quantity("airspeed_given_up", "airspeed_given_up_mps", "Airspeed given up for want of thrust", "m/s"),
     Quantity("turn_given_up", "turn_given_up_deg_s", "Turn given up for want of thrust", "deg/s", DEGREES),
     Quantity("north", "", "North", "km", KILO),
     Quantity("east", "", "East", "km", KILO),

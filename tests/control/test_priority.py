@@ -8,7 +8,8 @@ import pytest
 
 from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.compiled import compiled
-from ftc_jsb.control.priority import DESCENT, Budget, affordable, payable_climb
+from ftc_jsb.control.energy import Budget, payable_climb
+from ftc_jsb.control.priority import DESCENT, SHALLOW, Request, affordable
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import at_condition
 from tests.point_mass.models import PAPER
@@ -20,7 +21,7 @@ FLIGHT = (300.0, 3048.0)  # [m/s], [m]
 @compiled
 def afford(model: Any, thrust: float, path: float, path_ref: float, turn: float) -> Any:
     at = at_condition(model[0], 300.0, 3048.0)
-    return affordable(at, Budget(thrust, 0.0), 300.0, path, path_ref, 0.0, 0.0, turn)
+    return affordable(at, Budget(thrust, 0.0), 300.0, path, Request(path_ref, 0.0, 0.0, turn, 0.0))
 
 
 @compiled
@@ -54,20 +55,30 @@ def test_climb_goes_first_and_the_turn_stays():
 
 
 def test_turn_goes_next_and_is_as_tight_as_can_be_paid_for():
-    """45 kN: level flight is kept, and the turn whose drag is just the thrust."""
-    turn = math.radians(6.0)
+    """45 kN: a descent of 3 deg is kept, and the turn whose drag is just thrust and descent."""
+    turn = math.radians(9.0)
     path, share = afford(PAPER, 45e3, 0.0, math.radians(5.0), turn)
     n = math.hypot(1.0, 300.0 / 9.81 * share * turn)
-    assert path == 0.0
+    assert path == -SHALLOW
     assert 0.0 < share < 1.0
-    assert drag_of(PAPER, n) == pytest.approx(45e3, rel=1e-5)
+    assert drag_of(PAPER, n) == pytest.approx(45e3 + WEIGHT * math.sin(SHALLOW), rel=1e-5)
+
+
+def test_shallow_descent_pays_for_a_turn_that_level_flight_cannot():
+    """45 kN: a turn of 6 deg/s stays whole, at the path whose energy balance it is."""
+    turn = math.radians(6.0)
+    path, share = afford(PAPER, 45e3, 0.0, math.radians(5.0), turn)
+    n = math.hypot(1.0, 300.0 / 9.81 * turn)
+    assert share == 1.0
+    assert -SHALLOW < path < 0.0
+    assert math.sin(path) == pytest.approx((45e3 - drag_of(PAPER, n)) / WEIGHT)
 
 
 def test_height_goes_last():
-    """20 kN hold 300 m/s only in a descent; no thrust at all, in a steeper one, down to 15 deg."""
-    path, share = afford(PAPER, 20e3, 0.0, 0.0, 0.1)
+    """10 kN hold 300 m/s only in a steeper descent, wings level; no thrust at all, down to 15 deg."""
+    path, share = afford(PAPER, 10e3, 0.0, 0.0, 0.1)
     assert share == 0.0
-    assert math.sin(path) == pytest.approx((20e3 - drag_of(PAPER, 1.0)) / WEIGHT)
+    assert math.sin(path) == pytest.approx((10e3 - drag_of(PAPER, 1.0)) / WEIGHT)
     assert afford(PAPER, 0.0, 0.0, 0.0, 0.1)[0] == pytest.approx(
         max(-math.asin(drag_of(PAPER, 1.0) / WEIGHT), -DESCENT)
     )

@@ -8,7 +8,7 @@ from ftc_jsb.aircraft.dynamic_pressure import pressure_area
 from ftc_jsb.aircraft.point_mass_file import load_point_mass
 from ftc_jsb.identify.flight_test import fly_manoeuvre
 from ftc_jsb.identify.inner_loop_lag import fit_lag, second_order
-from ftc_jsb.identify.knots import mach_knots
+from ftc_jsb.identify.knots import at_most, mach_knots
 from ftc_jsb.identify.manoeuvres import held_out
 from ftc_jsb.identify.polar import fit_alpha, fit_polar
 from ftc_jsb.identify.regression import hats, second_differences, solve
@@ -45,6 +45,18 @@ def test_knots_come_in_pairs_where_flaps_switch():
     knots = mach_knots(np.linspace(0.8, 1.0, 1000), (0.9,))
     assert np.min(np.diff(knots)) == pytest.approx(0.004)
     assert np.all(np.diff(knots) > 0.0)
+
+
+def test_knots_are_never_more_than_the_kernels_hold():
+    """From Mach 0.1 to 1.9 by 0.025 there would be 73; a range narrower than a step has its ends."""
+    values = np.linspace(0.1, 1.9, 2000)
+    assert len(mach_knots(values, (0.9,), 0.025)) > 40
+    knots = at_most(40, lambda step: mach_knots(values, (0.9,), step), 0.025)
+    assert 20 < len(knots) <= 40
+    assert np.min(np.abs(knots - 0.902)) < 1e-9
+    narrow = mach_knots(np.linspace(0.31, 0.34, 100), ())
+    assert np.all(np.diff(narrow) > 0.0)
+    assert len(narrow) == 2
 
 
 def test_hats_interpolate_and_smoothness_fills_a_gap():

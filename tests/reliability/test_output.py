@@ -64,7 +64,7 @@ def test_folder_of_a_killed_process_is_free_again(tmp_path):
 def test_signal_saves_what_was_flown(tmp_path, number):
     flying = tmp_path / "flying"
     process = start(
-        "fly", "paper", "--set", "duration=30000", "--loop", "tests.reliability.loops:Waits",
+        "fly", "paper", "--set", "duration=3000", "--loop", "tests.reliability.loops:Waits",
         "--out", str(tmp_path / "o"), cwd=Path.cwd(), FTC_JSB_TEST_FLYING=str(flying),
     )  # fmt: skip
     deadline = time.monotonic() + 90.0

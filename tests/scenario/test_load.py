@@ -19,6 +19,7 @@ PAPER = (shipped("scenarios") / "paper.toml").read_text(encoding="utf-8")
 
 def test_scenarios_that_are_shipped():
     assert scenario_names() == [
+        "737",
         "a4",
         "engine-out",
         "f15",
@@ -30,6 +31,7 @@ def test_scenarios_that_are_shipped():
         "ramp",
         "severe",
         "speed-first",
+        "t37",
         "t38",
         "total-loss",
         "turbulence",
@@ -42,6 +44,13 @@ def test_shipped_scenario_is_valid_and_survives_being_written(name):
     scenario = load_scenario(name)
     assert scenario.name == name
     assert parse_scenario(scenario_toml(scenario), "written") == scenario
+
+
+def test_aircraft_whose_name_is_a_number():
+    """`--set aircraft.name=737`: what TOML reads as a number is a name."""
+    assert load_scenario("nominal", ["aircraft.name=737"]).aircraft.name == "737"
+    with pytest.raises(ScenarioError, match=r"aircraft\.name: input should be a valid string"):
+        load_scenario("nominal", ["aircraft.name=true"])
 
 
 def test_paper_scenario_is_section_5():
@@ -143,7 +152,7 @@ def test_override_reaches_every_level():
 def test_file_that_is_not_there_not_toml_or_no_text(tmp_path: Path):
     with pytest.raises(ScenarioError, match="no such file"):
         load_scenario(str(tmp_path / "none.toml"))
-    with pytest.raises(ScenarioError, match="shipped are a4, engine-out, f15, f4n, helix"):
+    with pytest.raises(ScenarioError, match="shipped are 737, a4, engine-out, f15, f4n, helix"):
         load_scenario("papre")
     with pytest.raises(ScenarioError, match="is a folder"):
         load_scenario(str(tmp_path))

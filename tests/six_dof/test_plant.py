@@ -146,7 +146,7 @@ def test_jsbsim_that_runs_too_slowly_for_its_inner_loop_is_refused():
 
 def test_aircraft_that_is_none_is_refused():
     with pytest.raises(
-        AircraftError, match=r"no aircraft 'f99'; expected one of A4, F4N, T38, f15, f16"
+        AircraftError, match=r"no aircraft 'f99'; expected one of 737, A4, F4N, T37, T38, f15, f16"
     ):
         fly(load_scenario("paper", ["model=jsbsim", "aircraft.name=f99"]))
     with pytest.raises(AircraftError, match=r"aircraft\.toml: not found"):

@@ -1,5 +1,6 @@
 """Events of a flight for STATUSTEXT: faults and limits, from the rows that have been flown."""
 
+import math
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -60,6 +61,7 @@ class FlightEvents:
             *self._schedule_events(record, first, beyond),
             *self._sensor_events(record, first, beyond),
             *self._detector_events(record, first, beyond),
+            *self._attainment_events(record, first, beyond),
             *self._limit_events(record[first:beyond], first),
         ]
         return sorted(found, key=lambda event: event.row)
@@ -120,6 +122,23 @@ class FlightEvents:
                 if text:
                     self._isolated = True
                     yield Event(k, WARNING, text)
+
+    def _attainment_events(
+        self, record: npt.NDArray[Any], first: int, beyond: int
+    ) -> Iterator[Event]:
+        """References that cannot be flown, and that can be again."""
+        short = record["unattainable"][max(first - 1, 0) : beyond] > 0.5
+        if first == 0:
+            short = np.concatenate(([False], short))
+        for k in np.flatnonzero(short[1:] != short[:-1]):
+            i = first + int(k)
+            if short[k + 1]:
+                off = float(record[i]["airspeed"] - record[i]["airspeed_ref"])
+                path = math.degrees(record[i]["climb_given_up"])
+                text = f"references not attainable: {off:+.1f} m/s, path -{path:.1f} deg"
+                yield Event(i, WARNING, text[:LONGEST_TEXT])
+            else:
+                yield Event(i, NOTICE, "references attainable again")
 
     def _isolation(self, row: Any, before: Any) -> str:
         """Which channel has lost how much, once the estimate has settled; "" before that."""

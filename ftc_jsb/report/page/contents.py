@@ -9,7 +9,7 @@ from ftc_jsb.analysis.validity import ACCEPTED
 from ftc_jsb.recording.provenance import machine, versions
 from ftc_jsb.report.fault_times import fault_times
 from ftc_jsb.report.findings import Findings
-from ftc_jsb.report.flight_groups import Flights, by_scenario, plain, scenario_differences
+from ftc_jsb.report.flight_groups import Flights, by_scenario, flown_scenario, scenario_differences
 from ftc_jsb.report.page.chart_series import Series
 from ftc_jsb.report.page.charts import Chart, as_data, charts
 from ftc_jsb.report.page.comparison_table import comparison_table
@@ -62,8 +62,7 @@ def page_contents(
         "flight_chips": _chips(flights, titles),
         "data": _data(flights, titles, series, drawn),
         "scenarios": [
-            (name, scenario_toml(plain(next(iter(members.values())).scenario)))
-            for name, members in groups.items()
+            (name, scenario_toml(flown_scenario(members))) for name, members in groups.items()
         ],
         "made": _made(flights),
     }

@@ -135,6 +135,7 @@ def _given_up(label: str, document: Document) -> Markup:
     for key, name, unit in (
         ("peak_climb_given_up_deg", "of path", "deg"),
         ("peak_turn_given_up_deg_s", "of turn", "deg/s"),
+        ("peak_airspeed_given_up_mps", "of airspeed", "m/s"),
     ):
         if (document["flights"][label].get(key) or 0.0) >= LEAST_GIVEN_UP:
             most = linked_number(document, ("flights", label, key), 1)

@@ -15,8 +15,10 @@ def thrust_tables(engine: ET.Element, name: str) -> dict[str, ET.Element]:
     Bleed air takes its share of the dry thrust; JSBSim's reheat makes up for it.
     """
     if engine.tag != "turbine_engine":
-        raise AircraftError(f"{name}.xml: a {engine.tag}; only turbine engines can be woven")
-    tables = {f.attrib["name"]: f[0] for f in engine.findall("function")}
+        kind = engine.tag.replace("_", " ")
+        article = "an" if kind[0] in "aeiou" else "a"
+        raise AircraftError(f"{name}.xml: {article} {kind}; only turbine engines can be woven")
+    tables = {f.get("name"): f[0] for f in engine.findall("function") if len(f)}
     for function in ("IdleThrust", "MilThrust"):
         if function not in tables:
             raise AircraftError(f"{name}.xml: no function {function!r}; the thrust deck needs it")
@@ -26,7 +28,7 @@ def thrust_tables(engine: ET.Element, name: str) -> dict[str, ET.Element]:
     dry = operation("sum", tables["IdleThrust"], operation("product", spread, tables["MilThrust"]))
     decks = {"idle": idle, "military": operation("product", constant(military), dry)}
     decks["maximum"] = decks["military"]
-    if "AugThrust" in tables:
+    if has_reheat(engine):
         maximum = required(engine, "maxthrust").text or ""
         decks["maximum"] = operation("product", constant(maximum), tables["AugThrust"])
     return decks
@@ -44,7 +46,7 @@ def apply_effectiveness(engine: ET.Element) -> None:
     """
     effectiveness = ET.Element("property")
     effectiveness.text = f"{EFFECTIVENESS}[#]"  # JSBSim puts the engine's number for #
-    tables = {f.attrib["name"]: (f, f[0]) for f in engine.findall("function")}
+    tables = {f.get("name"): (f, f[0]) for f in engine.findall("function") if len(f)}
     idle = tables["IdleThrust"][1]
     for name in ("IdleThrust", "MilThrust", "AugThrust"):
         if name not in tables:
@@ -91,7 +93,7 @@ def throttle_system(engines: list[ET.Element], name: str, military: float) -> ET
     channel = ET.SubElement(system, "channel", name="throttles")
     for number, engine in enumerate(engines):
         throttle = property_value("ftc/throttle")
-        if not _has_reheat(engine):  # JSBSim would spool it beyond its maximum
+        if not has_reheat(engine):  # JSBSim would spool it beyond its maximum
             throttle = operation("min", constant("1"), throttle)
         elif engine.findtext("augmethod", "0").strip() == "1":
             throttle = _switched()
@@ -104,8 +106,11 @@ def throttle_system(engines: list[ET.Element], name: str, military: float) -> ET
     return ET.ElementTree(system)
 
 
-def _has_reheat(engine: ET.Element) -> bool:
-    return any(function.get("name") == "AugThrust" for function in engine.findall("function"))
+def has_reheat(engine: ET.Element) -> bool:
+    """Whether the throttle lights reheat: in JSBSim not where `augmethod` is 0, a switch apart."""
+    tables = [function.get("name") for function in engine.findall("function")]
+    fitted = engine.findtext("augmented", "0").strip() == "1"
+    return "AugThrust" in tables and fitted and engine.findtext("augmethod", "0").strip() != "0"
 
 
 def _switched() -> ET.Element:

@@ -51,6 +51,14 @@ def test_limits_are_told_when_near_and_when_broken(flown):
         assert sum(word in text for _, text in events) == 1
 
 
+def test_references_that_cannot_be_flown_are_told_and_when_they_can_be_again(flown):
+    """0.3 of the thrust pays for no climb of 5 deg in a turn, and for level flight at the end."""
+    events = [text for time, text in told(flown("speed-first")) if time > 20.0]
+    short = [text for text in events if "attainable" in text]
+    assert short[0].startswith("references not attainable: -")
+    assert "references attainable again" in short
+
+
 def test_texts_fit_their_field(flown):
     flight = flown("severe", "model=jsbsim")
     assert all(len(text) <= LONGEST_TEXT for _, text in told(flight))

@@ -1,0 +1,1 @@
+"""An `aircraft.toml` drafted from an aircraft of the installed jsbsim package."""
