@@ -19,7 +19,7 @@ PART = ".part"  # what temporary names end with
 
 
 @contextmanager
-def atomic_file(path: Path, *, replace: bool = True) -> Iterator[Path]:
+def atomic_file(path: Path, *, replace: bool = True, durable: bool = True) -> Iterator[Path]:
     """A temporary path beside `path` to write to; when the block ends, the file becomes `path`.
 
     If the block raises, `path` stays as it was and the temporary file is gone.
@@ -27,20 +27,26 @@ def atomic_file(path: Path, *, replace: bool = True) -> Iterator[Path]:
     Args:
         path: what the file shall be.
         replace: whether a file that is there already is replaced.
+        durable: whether the file is on the disk when the block ends, and survives a power failure.
 
     Raises:
         WriteError: the file cannot be written, or is there and shall not be replaced.
     """
+    path = path.resolve()  # a link stays one
+    if path.exists() and not path.is_file():
+        raise WriteError(path, "is no regular file")
     part = path.with_name(f"{path.name}.{secrets.token_hex(6)}{PART}")
     try:
         try:
             yield part
-            _to_disk(part)
+            if durable:
+                _to_disk(part)
             if replace:
                 os.replace(part, path)
             else:
                 _become_new(part, path)
-            _to_disk(path.parent)
+            if durable:
+                _to_disk(path.parent)
         except FileExistsError:
             raise WriteError(path, "exists") from None
         except OSError as error:

@@ -1,63 +1,31 @@
 """One place that decides how numerical kernels are compiled and cached.
 
 Numba's own cache only notices a change in the file that defines a kernel, not in the kernels it
-calls, and it wants to write beside the source. Both are wrong for an installed program, so the
-cache lives in the user's cache folder, for each module in a sub-folder named after the source of all
-that its kernels can be made from.
+calls, wants to write beside the source, and loads whatever it finds. All of that is wrong for an
+installed program: see `kernel_cache`.
 
 With Numba's compiler switched off (`NUMBA_DISABLE_JIT=1`, as `make coverage` has it) kernels run as
 plain Python, slower by some hundred times, so that a tracer sees their lines.
 """
 
-import hashlib
-import tempfile
 import threading
 from collections.abc import Callable
 from functools import cache, wraps
-from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
-import platformdirs
 
-from ftc_jsb.sources import source_digest
+from ftc_jsb.kernel_cache import KernelFiles, kernel_folders
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
-@cache
-def kernel_cache(module: str) -> Path:
-    """Folder of the compiled kernels of a module; a temporary one if it cannot be written.
-
-    Its name follows from the source of all that the module imports: constants that a kernel takes
-    from elsewhere are compiled into it.
-    """
-    name = hashlib.sha256(f"{numba.__version__} {source_digest(module)}".encode()).hexdigest()[:16]
-    try:
-        folder = _root() / name
-        folder.mkdir(exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return folder
-    except OSError:
-        return _temporary()
-
-
-@cache
-def _root() -> Path:
-    folder = Path(platformdirs.user_cache_dir("ftc-jsb")) / "kernels"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
-
-
-@cache
-def _temporary() -> Path:
-    return Path(tempfile.mkdtemp(prefix="ftc-jsb-kernels-"))
-
-
 def is_first_run(module: str) -> bool:
     """Whether the kernels of a module, as its source is now, have yet to be compiled here."""
-    return not _switched_off() and not any(kernel_cache(module).iterdir())
+    return not _switched_off() and not any(
+        folder.is_dir() and any(folder.iterdir()) for folder in kernel_folders(module)
+    )
 
 
 def compiled(function: Kernel) -> Kernel:
@@ -83,13 +51,10 @@ def compiled_in_memory(function: Kernel) -> Kernel:
 
 
 def _cached(function: Kernel, **options: Any) -> Kernel:
-    config: Any = numba.config
-    previous = config.CACHE_DIR
-    config.CACHE_DIR = str(kernel_cache(function.__module__))
-    try:
-        return _jitted(function, cache=True, **options)
-    finally:
-        config.CACHE_DIR = previous
+    made = _jitted(function, **options)
+    if not _switched_off():
+        cast(Any, made)._cache = KernelFiles(function)
+    return made
 
 
 def _jitted(function: Kernel, **options: Any) -> Kernel:

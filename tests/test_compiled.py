@@ -10,8 +10,8 @@ import numpy as np
 import platformdirs
 import pytest
 
-from ftc_jsb import compiled as module
-from ftc_jsb.compiled import compiled, direct, is_first_run, kernel_cache
+from ftc_jsb.compiled import compiled, direct, is_first_run
+from ftc_jsb.kernel_cache import kernel_folders
 from ftc_jsb.sources import PACKAGE
 
 LEVELS = np.dtype([("gain", float), ("steps", int, (2,))], align=True)
@@ -42,17 +42,10 @@ FILL = compiled(_fill)
 
 @pytest.fixture
 def caches(tmp_path, monkeypatch):
-    """Caches in a folder of this test's own, nothing remembered from before or kept for later."""
-    remembered = (kernel_cache, module._root, module._temporary)
-
-    def forget() -> None:
-        for function in remembered:
-            function.cache_clear()
-
-    forget()
+    """Caches in a folder of this test's own."""
     monkeypatch.setattr(platformdirs, "user_cache_dir", lambda name: str(tmp_path / name))
-    yield tmp_path / "ftc-jsb"
-    forget()
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "temporary"))
+    return tmp_path / "ftc-jsb"
 
 
 @pytest.fixture
@@ -60,35 +53,19 @@ def switched_off(monkeypatch):
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
 
 
-def test_cache_is_in_the_users_folder_and_one_for_each_key(caches):
-    one, other = kernel_cache("ftc_jsb.frames"), kernel_cache("ftc_jsb.simulation.sample")
+def test_cache_is_in_the_users_folder_and_one_for_each_module(caches):
+    one = next(kernel_folders("ftc_jsb.frames"))
+    other = next(kernel_folders("ftc_jsb.simulation.sample"))
     assert one != other
     assert one.parent == other.parent == caches / "kernels"
-
-
-def test_cache_that_cannot_be_made_falls_back_to_a_temporary_one(caches):
-    """A file stands where the folder should be: one warm folder for the whole process instead."""
-    caches.write_text("in the way")
-    folder = kernel_cache("ftc_jsb.frames")
-    assert folder.is_dir()
-    assert caches not in folder.parents
-    assert kernel_cache("ftc_jsb.simulation.sample") == folder
-
-
-def test_cache_that_cannot_be_written_falls_back_to_a_temporary_one(caches, monkeypatch):
-    """The folder is there, made by somebody else: a file cannot be made in it."""
-
-    def refuse(**_: Any) -> Any:
-        raise PermissionError
-
-    monkeypatch.setattr(module.tempfile, "TemporaryFile", refuse)
-    assert caches not in kernel_cache("ftc_jsb.frames").parents
 
 
 def test_first_run_is_one_until_something_is_compiled(caches, monkeypatch):
     monkeypatch.setattr(numba.config, "DISABLE_JIT", False)
     assert is_first_run("ftc_jsb.frames")
-    (kernel_cache("ftc_jsb.frames") / "kernel.nbi").touch()
+    folder = next(kernel_folders("ftc_jsb.frames"))
+    folder.mkdir(parents=True)
+    (folder / "a.kernel").touch()
     assert not is_first_run("ftc_jsb.frames")
 
 

@@ -2,15 +2,15 @@
 
 import pickle
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.compiled import kernel_cache
+from ftc_jsb.kernel_cache import kernels_of
 from ftc_jsb.theory.constants import ProofConstants
 from ftc_jsb.theory.generated import Kernels, generate, imported_kernels
+from ftc_jsb.verified_cache import read_cached, write_cached
 
 Array = npt.NDArray[np.float64]
 
@@ -27,15 +27,18 @@ class Fighter(NamedTuple):
 @cache
 def fighter() -> Fighter:
     """Read from the disk, or made."""
-    path = kernel_cache(__name__) / "fighter.pickle"
+    name = f"{kernels_of(__name__)}/fighter.pickle"
+    payload = read_cached(name)
+    if payload is None:
+        return _made(name)
+    package, parameters, constants, low, high = pickle.loads(payload)
     try:
-        package, parameters, constants, low, high = pickle.loads(path.read_bytes())
         return Fighter(imported_kernels(package, parameters, parameters), constants, low, high)
-    except (OSError, ValueError, EOFError, ImportError):
-        return _made(path)
+    except ImportError:
+        return _made(name)
 
 
-def _made(path: Path) -> Fighter:
+def _made(name: str) -> Fighter:
     from ftc_jsb.theory.constants import proof_constants
     from ftc_jsb.theory.linearization import linearize
     from ftc_jsb.theory.proof import box
@@ -44,7 +47,5 @@ def _made(path: Path) -> Fighter:
     linear = linearize(fighter_by_velocity())
     kernels, constants = generate(linear), proof_constants(linear)
     low, high = box(linear.system)
-    part = path.with_suffix(".part")
-    part.write_bytes(pickle.dumps((kernels.package, kernels.parameters, constants, low, high)))
-    part.replace(path)
+    write_cached(name, pickle.dumps((kernels.package, kernels.parameters, constants, low, high)))
     return Fighter(kernels, constants, low, high)

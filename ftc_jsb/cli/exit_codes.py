@@ -1,3 +1,3 @@
 """What the shell is told when a command ends."""
 
-DONE, LIMIT_BROKEN, BAD_USAGE, INTERRUPTED = 0, 1, 2, 130
+DONE, LIMIT_BROKEN, BAD_USAGE, UNEXPECTED, INTERRUPTED = 0, 1, 2, 3, 130

@@ -15,6 +15,7 @@ from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
 from ftc_jsb.cli.options import (
     MODELS,
     Output,
+    code_option,
     json_option,
     output_options,
     scenario_argument,
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     "--flightgear", metavar="HOST:PORT", help="Show the flight in FlightGear, in real time."
 )
 @set_option
+@code_option
 @output_options
 @json_option
 @live_options
@@ -44,16 +46,20 @@ def fly(
     loop: str | None,
     flightgear: str | None,
     overrides: tuple[str, ...],
+    allow_code: bool,
     output: Output,
     as_json: bool,
     live: LiveOptions,
 ) -> None:
     """Fly SCENARIO once; write flight.nc and metrics.json."""
     from ftc_jsb.cli.progress import progress_for
+    from ftc_jsb.loops.code import refuse_code
     from ftc_jsb.runs.single import fly_and_save
     from ftc_jsb.scenario.load import load_scenario
 
     flown = load_scenario(scenario, [*overrides, *_overrides(model, loop)])
+    if not allow_code:
+        refuse_code([flown.loop.name], scenario, [*overrides, loop or ""])
     observers_for: ObserverFactory = progress_for(flown, as_json)
     shown: AbstractContextManager[Path | None] = nullcontext()
     if flightgear is not None:

@@ -11,7 +11,8 @@ from ftc_jsb.cli.campaign import campaign
 from ftc_jsb.cli.check import check
 from ftc_jsb.cli.compare import compare
 from ftc_jsb.cli.convert import convert
-from ftc_jsb.cli.exit_codes import BAD_USAGE, INTERRUPTED
+from ftc_jsb.cli.crash_file import reported
+from ftc_jsb.cli.exit_codes import BAD_USAGE, INTERRUPTED, UNEXPECTED
 from ftc_jsb.cli.export import export
 from ftc_jsb.cli.figures import figures
 from ftc_jsb.cli.fly import fly
@@ -24,20 +25,30 @@ from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
 from ftc_jsb.cli.theory import theory
 from ftc_jsb.errors import UserError
+from ftc_jsb.interruption import ended_by_signals
 
 
 class _Commands(click.Group):
-    """Turns every `UserError` into one sentence and exit code 2."""
+    """Turns every `UserError` into one sentence and exit code 2, what nobody expected into exit code 3."""
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            return super().invoke(ctx)
+            with ended_by_signals():
+                return super().invoke(ctx)
         except UserError as error:
             message(str(error))
             sys.exit(BAD_USAGE)
         except KeyboardInterrupt:
             message("interrupted")
             sys.exit(INTERRUPTED)
+        except MemoryError:
+            message("there is not enough memory for this")
+            sys.exit(BAD_USAGE)
+        except (click.ClickException, click.Abort, click.exceptions.Exit, BrokenPipeError):
+            raise
+        except Exception as error:
+            message(reported(error))
+            sys.exit(UNEXPECTED)
 
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, cast
 import click
 
 from ftc_jsb.cli.announcement import announce
-from ftc_jsb.cli.options import MODELS, Output, json_option, output_options
+from ftc_jsb.cli.options import MODELS, Output, code_option, json_option, output_options
 from ftc_jsb.cli.printing import print_json, progress_line
 
 if TYPE_CHECKING:
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     show_default=True,
     help="Of the signals that are injected: 20 N, 0.005 g, 0.005 rad times this.",
 )
+@code_option
 @output_options
 @json_option
 def margins(
@@ -34,17 +35,21 @@ def margins(
     airspeed: float | None,
     altitude: float | None,
     amplitude: float,
+    allow_code: bool,
     output: Output,
     as_json: bool,
 ) -> None:
     """Measure gain, phase and delay margins in level flight; write margins.json and bode.png."""
     from ftc_jsb.atomic_file import atomic_file
+    from ftc_jsb.loops.code import refuse_code
     from ftc_jsb.margins.condition import level_scenario
     from ftc_jsb.margins.document import document
     from ftc_jsb.margins.measure import CHANNELS, channel_margins
     from ftc_jsb.runs.metrics_file import write_metrics
 
     flown = level_scenario(name, cast("Model", model), airspeed, altitude)
+    if not allow_code:
+        refuse_code([flown.loop.name], name, ())
     with output.folder(f"margins-{Path(name).stem}") as folder:
         announce(flown)
         found = []

@@ -24,6 +24,9 @@ recordings_argument = click.argument(
 set_option = click.option(
     "--set", "overrides", metavar="KEY=VALUE", multiple=True, help="Override a key of the scenario."
 )
+code_option = click.option(
+    "--allow-code", is_flag=True, help="Import and run the Python loops that the file names."
+)
 force_option = click.option("--force", is_flag=True, help="Write into DIR though it is not empty.")
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON for machines.")
 margins_option = click.option(

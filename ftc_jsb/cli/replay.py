@@ -7,23 +7,27 @@ import click
 
 from ftc_jsb.cli.exit_codes import LIMIT_BROKEN
 from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
-from ftc_jsb.cli.options import recording_argument
+from ftc_jsb.cli.options import code_option, recording_argument
 from ftc_jsb.cli.printing import message
 
 
 @click.command()
 @recording_argument
+@code_option
 @live_options
-def replay(recording: Path, live: LiveOptions) -> None:
+def replay(recording: Path, allow_code: bool, live: LiveOptions) -> None:
     """Fly a recording again, its commands included; exit code 1 if not bit for bit the same.
 
     A ground station may watch; what it says is ignored.
     """
+    from ftc_jsb.loops.code import refuse_code
     from ftc_jsb.recording.netcdf import attributes_of, load
     from ftc_jsb.simulation.replay import changed_since, differences
     from ftc_jsb.simulation.replay import replay as fly_again
 
     flight = load(recording)
+    if not allow_code:
+        refuse_code([flight.scenario.loop.name], str(recording), ())
     watched = live._replace(readonly=live.endpoint is not None)
     with flying_beside(flight.scenario, watched) as beside:
         again = fly_again(flight, beside.observers if beside else ())

@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from ftc_jsb.control.protocol import Command, Measurement, OuterLoop, Reference
 from ftc_jsb.errors import LoopError
+from ftc_jsb.loops.fence import said, shown
 
 
 class PythonLoop:
@@ -36,23 +37,27 @@ class PythonLoop:
         name = f"{type(self._loop).__module__}:{type(self._loop).__qualname__}"
         try:
             command = self._loop.step(float(row["time"]), measurement, reference)
-        except Exception as error:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # sys.exit() included
             raise LoopError(
-                f"loop {name}, step at {float(row['time']):.2f} s: {type(error).__name__}: {error}"
+                f"loop {name}, step at {float(row['time']):.2f} s: {said(error)}"
             ) from error
         if not isinstance(command, Command):
-            raise LoopError(f"loop {name}: step returned {command!r}, expected a Command")
+            raise LoopError(f"loop {name}: step returned {shown(command)}, expected a Command")
         row["thrust_cmd"] = _number(name, "thrust", command.thrust)
         row["load_factor_cmd"] = _number(name, "load_factor", command.load_factor)
         row["bank_angle_cmd"] = _number(name, "bank_angle", command.bank_angle)
         row["load_factor_demand"] = row["load_factor_cmd"]
         row["bank_angle_demand"] = row["bank_angle_cmd"]
         if not isinstance(command.estimates, Mapping):
-            raise LoopError(f"loop {name}: estimates are {command.estimates!r}, expected a mapping")
-        for key, value in command.estimates.items():
+            raise LoopError(
+                f"loop {name}: estimates are {shown(command.estimates)}, expected a mapping"
+            )
+        for key, value in dict(command.estimates).items():
             if key not in self._writable:
                 raise LoopError(
-                    f"loop {name}: estimates[{key!r}]: expected one of {', '.join(self._writable)}"
+                    f"loop {name}: estimates[{shown(key)}]: expected one of {', '.join(self._writable)}"
                 )
             row[key] = _number(name, key, value)
 
@@ -65,8 +70,8 @@ def _number(loop: str, field: str, value: object) -> float:
     """
     try:
         number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+    except Exception:  # an int beyond all floats; whatever a __float__ raises
         number = math.nan
     if not math.isfinite(number):
-        raise LoopError(f"loop {loop}: {field} is {value!r}, expected a finite number")
+        raise LoopError(f"loop {loop}: {field} is {shown(value)}, expected a finite number")
     return number

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from ftc_jsb.control.protocol import LoopSetup, OuterLoop
 from ftc_jsb.errors import LoopError
 from ftc_jsb.loops.built_in import BUILT_IN, CompiledLoop
+from ftc_jsb.loops.fence import said
 from ftc_jsb.loops.python_loop import PythonLoop
 
 ENTRY_POINTS = "ftc_jsb.loops"
@@ -54,10 +55,10 @@ def make_loop(setup: LoopSetup) -> OuterLoop:
     loop = find_loop(name)
     try:
         return loop(setup)
-    except Exception as error:
-        raise LoopError(
-            f"loop {name!r} cannot be built: {type(error).__name__}: {error}"
-        ) from error
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
+        raise LoopError(f"loop {name!r} cannot be built: {said(error)}") from error
 
 
 def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
@@ -71,9 +72,11 @@ def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
     for point in entry_points(group=ENTRY_POINTS, name=name):
         try:
             loaded: Callable[[LoopSetup], OuterLoop] = point.load()
-        except Exception as error:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
             raise LoopError(
-                f"loop.name: {name!r}: {point.value} cannot be loaded: {error}"
+                f"loop.name: {name!r}: {point.value} cannot be loaded: {said(error)}"
             ) from None
         return loaded
     module_name, colon, class_name = name.partition(":")
@@ -86,9 +89,11 @@ def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
         sys.path.append(str(Path.cwd()))
     try:
         module = importlib.import_module(module_name)
-    except Exception as error:  # whatever a user's module does when it is imported
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # whatever a user's module does when it is imported
         raise LoopError(
-            f"loop.name: {name!r}: cannot import {module_name!r}: {type(error).__name__}: {error}"
+            f"loop.name: {name!r}: cannot import {module_name!r}: {said(error)}"
         ) from None
     try:
         found: Callable[[LoopSetup], OuterLoop] = getattr(module, class_name)

@@ -1,12 +1,15 @@
 """A live flight: paced, seen and commanded by ground stations, and what becomes of it afterwards."""
 
 import sys
+import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from ftc_jsb.atomic_file import atomic_file
 from ftc_jsb.errors import LinkError
+from ftc_jsb.interruption import interruptible
 from ftc_jsb.mavlink.link.telemetry_log import TelemetryLog
 from ftc_jsb.mavlink.link.vehicle_link import Link, LinkStatistics
 from ftc_jsb.mavlink.telemetry.recording_to_tlog import write_tlog
@@ -43,12 +46,13 @@ class LiveFlight:
             return False
         until = time.monotonic() + self._linger
         try:
-            while (left := until - time.monotonic()) > 0.0:
-                command = self.commands.wait(min(left, 3600.0))
-                if isinstance(command, Reset):
-                    return self._again()
-                if isinstance(command, End):
-                    return False
+            with interruptible():
+                while (left := until - time.monotonic()) > 0.0:
+                    command = self.commands.wait(min(left, 3600.0))
+                    if isinstance(command, Reset):
+                        return self._again()
+                    if isinstance(command, End):
+                        return False
         except KeyboardInterrupt:
             pass
         return False
@@ -80,13 +84,17 @@ class LogOnly:
     commands: CommandSource | None = None
 
     def __init__(self, path: Path) -> None:
-        """Args: of the log, which is seen to be writable now."""
-        _opened_log(path).close()
-        self._path = path
+        """Args: of the log; that its folder can be written is seen now."""
+        try:
+            with tempfile.TemporaryFile(dir=path.parent):
+                self._path = path.absolute()
+        except OSError as error:
+            raise _unwritable(path, error) from None
 
     def flies_again(self, flight: Flight) -> bool:
         """No."""
-        write_tlog(flight, self._path)
+        with atomic_file(self._path, replace=False) as part:
+            write_tlog(flight, part)
         return False
 
     def summary(self) -> list[str]:
@@ -118,6 +126,7 @@ def live_flight(
 
     Raises:
         LinkError: the endpoint or the log cannot be used.
+        WriteError: afterwards, the log is not complete.
     """
     queue = CommandQueue()
     pacer = Pacer(scenario.loop.rate, factor, queue) if factor else None
@@ -137,10 +146,16 @@ def live_flight(
         sys.setswitchinterval(before)
         if tlog is not None:
             tlog.close()
+    if tlog is not None:
+        tlog.check()
 
 
 def _opened_log(path: Path) -> TelemetryLog:
     try:
         return TelemetryLog(path)
     except OSError as error:
-        raise LinkError(f"--tlog {path}: cannot be written: {error.strerror}") from None
+        raise _unwritable(path, error) from None
+
+
+def _unwritable(path: Path, error: OSError) -> LinkError:
+    return LinkError(f"--tlog {path}: cannot be written: {error.strerror}")

@@ -1,10 +1,6 @@
 """A flight as a NetCDF file that holds all it takes to fly it again."""
 
 import json
-import signal
-import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, cast
 
@@ -13,6 +9,7 @@ from pydantic import ValidationError
 
 from ftc_jsb.atomic_file import atomic_file
 from ftc_jsb.errors import RecordingError, ScenarioError, WriteError
+from ftc_jsb.interruption import uninterrupted
 from ftc_jsb.recording.columns import ROW, VARIABLES
 from ftc_jsb.recording.commands import parse_commands
 from ftc_jsb.recording.description import attributes
@@ -30,7 +27,7 @@ def save(flight: Flight, path: Path) -> None:
     Raises:
         WriteError: the file cannot be written.
     """
-    with _uninterrupted(), atomic_file(path) as part:
+    with uninterrupted(), atomic_file(path) as part:
         try:
             _write(flight, part)
         except RuntimeError as error:  # what the HDF library makes of a full disk
@@ -49,22 +46,6 @@ def _write(flight: Flight, path: Path) -> None:
             column = file.createVariable(name, float, "time", fill_value=np.nan, **COMPRESSION)
             column.setncatts({"units": unit, "long_name": meaning})
             column[:] = record[name]
-
-
-@contextmanager
-def _uninterrupted() -> Iterator[None]:
-    """Ctrl-C waits while a flight is written; elsewhere than in the main thread it does anyway."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    waiting: list[int] = []
-    before = signal.signal(signal.SIGINT, lambda number, frame: waiting.append(number))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-    if waiting:
-        raise KeyboardInterrupt
 
 
 def attributes_of(path: Path) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from ftc_jsb.report.flight_groups import Flights, by_scenario, loop_pairs, model
 from ftc_jsb.report.measured_margins import MeasuredMargins, margins_of
 from ftc_jsb.report.shown_metrics import SHOWN_METRICS
 from ftc_jsb.report.titles import model_title
+from ftc_jsb.runs.finite_numbers import finite
 from ftc_jsb.theory.lyapunov import LyapunovBound
 
 
@@ -52,7 +53,7 @@ def analyse(flights: Flights, margins: Sequence[MeasuredMargins] = ()) -> Findin
         if proof is not None and np.isfinite(proof.value).all():
             proofs[label] = proof
         entry["stability"] = stability_metrics(proofs.get(label))
-        metrics[label] = entry
+        metrics[label] = finite(entry)
     validity = _validity(flights, metrics)
     document = {
         "flights": metrics,
@@ -61,7 +62,7 @@ def analyse(flights: Flights, margins: Sequence[MeasuredMargins] = ()) -> Findin
         "validity": validity,
         "point_mass_told_the_truth": _truth(flights, validity),
     }
-    return Findings(document, residuals, proofs, problems)
+    return Findings(finite(document), residuals, proofs, problems)
 
 
 def _ratio(tolerant: str, plain: str, metrics: dict[str, Metrics]) -> dict[str, Any]:

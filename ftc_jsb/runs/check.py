@@ -3,6 +3,8 @@
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.loops.built_in import BUILT_IN
+from ftc_jsb.loops.code import imported_from, is_code
+from ftc_jsb.loops.fence import fenced
 from ftc_jsb.loops.registry import make_loop
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
 from ftc_jsb.scenario.schema import Scenario
@@ -10,8 +12,12 @@ from ftc_jsb.simulation.admissible_faults import refuse_unflyable
 from ftc_jsb.simulation.assembly import point_mass_of
 
 
-def check_scenario(scenario: Scenario) -> list[str]:
+def check_scenario(scenario: Scenario, allow_code: bool = True) -> list[str]:
     """See that the aircraft and loops of a scenario exist; a line for each thing found good.
+
+    Args:
+        scenario: as loaded.
+        allow_code: import loops that are not built in; otherwise a line says what would be imported.
 
     Raises:
         UserError: one of them does not.
@@ -31,8 +37,12 @@ def check_scenario(scenario: Scenario) -> list[str]:
         fly_ready = scenario.model_copy(update={"loop": named})
         aircraft = point_mass_of(fly_ready)
         mass = aircraft.initial_mass(scenario.aircraft.fuel_fraction)
+        if is_code(loop) and not allow_code:
+            lines.append(f"loop {loop}: not looked into; would import {imported_from(loop)}")
+            continue
         if loop not in BUILT_IN:
-            make_loop(LoopSetup(aircraft, mass, named, 1.0 / named.rate, scenario.sensors))
+            with fenced():
+                make_loop(LoopSetup(aircraft, mass, named, 1.0 / named.rate, scenario.sensors))
         lines.append(f"loop {loop}: found and built")
     return lines
 

@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
+from ftc_jsb.interruption import uninterrupted
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.recording.netcdf import save
 from ftc_jsb.runs.check import check_scenario
 from ftc_jsb.runs.observers import ObserverFactory
+from ftc_jsb.runs.rescue import save_or_rescue
 from ftc_jsb.scenario.schema import Model, Scenario
 from ftc_jsb.simulation.fly import fly
 
@@ -26,15 +27,17 @@ def compare_and_save(
     Raises:
         UserError: as `check_scenario` and `fly`; or the folder cannot be written.
     """
+    folder = folder.absolute()
     check_scenario(scenario)
     flights: dict[str, Flight] = {}
     for model in scenario.compare.models:
         for loop in scenario.compare.loops:
             try:
-                with observers_for(f"{model}-{loop}") as observers:
-                    flight = fly(variant(scenario, model, loop), observers)
-                flights[flight.label] = flight
-                save(flight, folder / f"{flight.label}.nc")
+                with uninterrupted():  # but for the flight itself
+                    with observers_for(f"{model}-{loop}") as observers:
+                        flight = fly(variant(scenario, model, loop), observers)
+                    flights[flight.label] = flight
+                    save_or_rescue(flight, folder / f"{flight.label}.nc")
             except KeyboardInterrupt:
                 if not flights:
                     raise

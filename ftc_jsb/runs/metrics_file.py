@@ -6,17 +6,18 @@ from typing import Any
 
 from ftc_jsb.analysis.metrics import Metrics
 from ftc_jsb.atomic_file import write_text
+from ftc_jsb.runs.finite_numbers import finite
 
 
 def document(metrics: dict[str, Metrics]) -> dict[str, Any]:
     """The contents of `metrics.json`."""
-    return {"flights": metrics}
+    return {"flights": {label: finite(entry) for label, entry in metrics.items()}}
 
 
 def write_metrics(path: Path, contents: dict[str, Any]) -> None:
-    """Write `metrics.json`; unknown numbers are null, never NaN, which is no JSON.
+    """Write `metrics.json`; unknown numbers are null.
 
     Raises:
         WriteError: the file cannot be written.
     """
-    write_text(path, json.dumps(contents, indent=2, allow_nan=False) + "\n")
+    write_text(path, json.dumps(finite(contents), indent=2, allow_nan=False) + "\n")

@@ -3,11 +3,14 @@
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ftc_jsb.analysis.metrics import Metrics, flight_metrics
-from ftc_jsb.recording.netcdf import save
+from ftc_jsb.interruption import uninterrupted
 from ftc_jsb.runs.live import Live
 from ftc_jsb.runs.metrics_file import document, write_metrics
 from ftc_jsb.runs.observers import ObserverFactory
+from ftc_jsb.runs.rescue import save_or_rescue
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.fly import fly
 
@@ -41,22 +44,24 @@ def fly_and_save(
     Raises:
         UserError: as `fly`; or the folder cannot be written.
     """
+    folder = folder.absolute()
     path = folder / "flight.nc"
     flown = 0
-    while True:
-        with observers_for(scenario.model) as observers:
-            if live is None:
-                flight = fly(scenario, observers, output=output)
-            else:
-                beside = (*observers, *live.observers)
-                flight = fly(scenario, beside, commands=live.commands, output=output)
-        if flown:
-            path.replace(folder / f"flight-{flown}.nc")
-        save(flight, path)
-        flown += 1
-        if live is None or not live.flies_again(flight):
-            break
-    metrics = flight_metrics(flight)
-    contents = document({flight.label: metrics})
-    write_metrics(folder / "metrics.json", contents)
-    return Result(flight.label, metrics, contents)
+    with uninterrupted():  # but for the flight itself, and the wait after it
+        while True:
+            with observers_for(scenario.model) as observers:
+                if live is None:
+                    flight = fly(scenario, observers, output=output)
+                else:
+                    beside = (*observers, *live.observers)
+                    flight = fly(scenario, beside, commands=live.commands, output=output)
+            if flown:
+                path.replace(folder / f"flight-{flown}.nc")
+            save_or_rescue(flight, path)
+            flown += 1
+            if live is None or not live.flies_again(flight):
+                break
+        with np.errstate(all="ignore"):  # what overflows is null
+            contents = document({flight.label: flight_metrics(flight)})
+        write_metrics(folder / "metrics.json", contents)
+    return Result(flight.label, contents["flights"][flight.label], contents)

@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ftc_jsb.errors import UserError
+from ftc_jsb.interruption import interruptible
+from ftc_jsb.loops.fence import fenced
 from ftc_jsb.recording.flight import Flight, Outcome
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import refuse_unflyable
@@ -41,29 +43,42 @@ def fly(
         UserError: an aircraft, loop or trim that cannot be had, or a fault that the model has not. A
             loop that fails in flight does not raise: the flight ends there, `outcome.status` "failed".
     """
-    refuse_unflyable(scenario)
-    flown = assemble(scenario, plant, output)
+    with fenced():
+        return _fly(scenario, observers, plant, commands, output)
+
+
+def _fly(
+    scenario: Scenario,
+    observers: Sequence[Observer],
+    plant: Plant | None,
+    commands: CommandSource | None,
+    output: Path | None,
+) -> Flight:
+    with interruptible():  # nothing is flown yet
+        refuse_unflyable(scenario)
+        flown = assemble(scenario, plant, output)
+        advance_rows, length = advance(flown, observers)
     record, dt = flown.record, 1.0 / scenario.loop.rate
-    advance_rows, length = advance(flown, observers)
     steering = Steering(scenario, flown)
     outcome = Outcome("complete", scenario.duration, "")
     rows = 0
     started = time.perf_counter()
     try:
-        while rows < record.size:
-            beyond = min(rows + length, record.size)
-            if commands is not None:
-                if rows > 0 and not steering.apply_all(commands.take(rows), rows):
-                    outcome = Outcome("ended", rows * dt, "ended by command")
+        with interruptible():
+            while rows < record.size:
+                beyond = min(rows + length, record.size)
+                if commands is not None:
+                    if rows > 0 and not steering.apply_all(commands.take(rows), rows):
+                        outcome = Outcome("ended", rows * dt, "ended by command")
+                        break
+                    beyond = min(beyond, commands.next_row(rows))
+                last, reason = advance_rows(rows, beyond)
+                rows = last + 1
+                if reason != FLYING:
+                    outcome = Outcome("departed", last * dt, REASONS[reason])
                     break
-                beyond = min(beyond, commands.next_row(rows))
-            last, reason = advance_rows(rows, beyond)
-            rows = last + 1
-            if reason != FLYING:
-                outcome = Outcome("departed", last * dt, REASONS[reason])
-                break
-            for observe in observers:
-                observe(record, last)
+                for observe in observers:
+                    observe(record, last)
     except UserError as error:
         rows = max(rows, 1)  # a row that has not been flown is not kept, but for the first
         outcome = Outcome("failed", (rows - 1) * dt, str(error))

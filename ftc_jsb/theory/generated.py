@@ -9,8 +9,8 @@ import hashlib
 import importlib.util
 import shutil
 import sys
-import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -19,10 +19,10 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ftc_jsb.compiled import kernel_cache
 from ftc_jsb.errors import TheoryError
 from ftc_jsb.theory.linearization import Linearization
 from ftc_jsb.theory.system import System
+from ftc_jsb.verified_cache import find_sealed, sealed_folder
 
 Array = npt.NDArray[np.float64]
 Kernel = Callable[..., Any]
@@ -80,14 +80,15 @@ def imported_kernels(package: str, parameters: Array, plant_parameters: Array) -
         ImportError: it is not there.
     """
     if package not in sys.modules:
-        folder = kernel_cache(__name__) / "generated" / package
-        if not (folder / "system.py").is_file():
+        folder = find_sealed(_place(package))
+        if folder is None:
             raise ImportError(package)
         sys.modules[package] = _package(package, folder)
-    parts = {
-        name: importlib.import_module(f"{package}.{name}")
-        for name in ("system", "discrete_model", "joint_filter", "law", "closed_loop")
-    }
+    with _no_bytecode():
+        parts = {
+            name: importlib.import_module(f"{package}.{name}")
+            for name in ("system", "discrete_model", "joint_filter", "law", "closed_loop")
+        }
     system = parts["system"]
     return Kernels(
         system.dynamics,
@@ -118,20 +119,29 @@ def _imported(name: str, source: str) -> str:
     package = f"ftc_jsb_{_identifier(name)}_{digest.hexdigest()[:12]}"
     if package in sys.modules:
         return package
-    root = kernel_cache(__name__) / "generated"
-    folder = root / package
-    if not (folder / "system.py").is_file():
-        root.mkdir(exist_ok=True)
-        part = Path(tempfile.mkdtemp(dir=root))
+
+    def fill(folder: Path) -> None:
         for file in TEMPLATE.glob("*.py"):
-            shutil.copy(file, part)
-        (part / "system.py").write_text(source, encoding="utf-8")
-        try:
-            part.replace(folder)
-        except OSError:  # another process was faster
-            shutil.rmtree(part)
-    sys.modules[package] = _package(package, folder)
+            shutil.copy(file, folder)
+        (folder / "system.py").write_text(source, encoding="utf-8")
+
+    sys.modules[package] = _package(package, sealed_folder(_place(package), fill))
     return package
+
+
+def _place(package: str) -> str:
+    """Of a package, below the cache."""
+    return f"generated/{package}"
+
+
+@contextmanager
+def _no_bytecode() -> Iterator[None]:
+    """Imports leave nothing behind: the cache holds sources only, and they are verified."""
+    before, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+    try:
+        yield
+    finally:
+        sys.dont_write_bytecode = before
 
 
 def _package(name: str, folder: Path) -> ModuleType:
@@ -142,7 +152,8 @@ def _package(name: str, folder: Path) -> ModuleType:
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    with _no_bytecode():
+        spec.loader.exec_module(module)
     return module
 
 

@@ -14,7 +14,11 @@ from ftc_jsb.recording.flight import Flight
 
 
 def write_tlog(flight: Flight, path: Path) -> None:
-    """Write a telemetry log of a flight; a recording has no date, so the log begins in 1970."""
+    """Write a telemetry log of a flight; a recording has no date, so the log begins in 1970.
+
+    Raises:
+        WriteError: it cannot be written.
+    """
     record = flight.record
     time = 0.0
     schedule = StreamSchedule(lambda: time)

@@ -7,6 +7,7 @@ from typing import Any
 
 import jinja2
 import markupsafe
+import numpy as np
 
 from ftc_jsb.atomic_file import write_text
 from ftc_jsb.errors import RecordingError
@@ -20,6 +21,7 @@ from ftc_jsb.report.page.contents import page_contents
 from ftc_jsb.runs.metrics_file import write_metrics
 
 
+@np.errstate(all="ignore")  # what overflows in a recording is null, and nothing to be seen
 def write_report(
     flights: Flights,
     folder: Path,

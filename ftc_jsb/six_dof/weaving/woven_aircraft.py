@@ -5,16 +5,12 @@ copy lives in the user's cache folder and is never part of this project.
 """
 
 import hashlib
-import os
 import shutil
-import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-import platformdirs
-
 from ftc_jsb.aircraft.description import Aircraft
-from ftc_jsb.errors import AircraftError
+from ftc_jsb.errors import AircraftError, WriteError
 from ftc_jsb.six_dof.weaving.corrections import apply_corrections
 from ftc_jsb.six_dof.weaving.engine_deck import (
     apply_effectiveness,
@@ -27,6 +23,7 @@ from ftc_jsb.six_dof.weaving.installed import installed, model_file
 from ftc_jsb.six_dof.weaving.measured_signals import measured_structure
 from ftc_jsb.six_dof.weaving.numbers import check_whose
 from ftc_jsb.sources import source_digest
+from ftc_jsb.verified_cache import sealed_folder
 
 # Woven in this order before the aircraft's own systems, so that each reads the frame's own values.
 NUMBERS_SYSTEM = "ftc_numbers"  # of the aircraft: aircraft/NAME/inner_loop.xml
@@ -41,7 +38,8 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool, measured: bool = False) 
     """Root folder (`aircraft/`, `engine/`, `systems/`) of the woven aircraft, made if need be.
 
     The folder is named after all that goes into it, so a changed inner loop or another jsbsim
-    version weaves anew, and several processes may do so at once.
+    version weaves anew, and several processes may do so at once. What has been changed since is woven
+    anew, too.
 
     Args:
         aircraft: as loaded.
@@ -64,26 +62,17 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool, measured: bool = False) 
     for path in (INNER_LOOP, model, numbers):
         digest.update(path.read_bytes())
     digest.update(f"{aircraft.model_dump_json()}{corrected}{measured}".encode())
-    cache = Path(platformdirs.user_cache_dir("ftc-jsb")) / "aircraft"
-    target = cache / f"{aircraft.name}-{digest.hexdigest()[:16]}"
-    if target.is_dir():
-        return target
+
+    def weave(woven: Path) -> None:
+        _weave(aircraft, corrected, numbers, woven)
+        if measured:
+            inner_loop = woven / "systems" / f"{INNER_LOOP_SYSTEM}.xml"
+            inner_loop.write_text(measured_structure(INNER_LOOP.read_text(encoding="utf-8")))
+
     try:
-        cache.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=cache) as scratch:
-            woven = Path(scratch) / "woven"
-            _weave(aircraft, corrected, numbers, woven)
-            if measured:
-                inner_loop = woven / "systems" / f"{INNER_LOOP_SYSTEM}.xml"
-                inner_loop.write_text(measured_structure(INNER_LOOP.read_text(encoding="utf-8")))
-            try:
-                os.replace(woven, target)
-            except OSError:
-                if not target.is_dir():  # another process was first: its copy is the same
-                    raise
-    except OSError as error:
-        raise AircraftError(f"{cache}: cannot write the woven aircraft there: {error}") from None
-    return target
+        return sealed_folder(f"aircraft/{digest.hexdigest()[:24]}", weave)
+    except WriteError as error:
+        raise AircraftError(f"aircraft {aircraft.name!r}: {error}") from None
 
 
 def _weave(aircraft: Aircraft, corrected: bool, numbers: Path, root: Path) -> None:
