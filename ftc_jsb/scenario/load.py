@@ -71,14 +71,30 @@ def load_scenario(name: str, overrides: Sequence[str] = ()) -> Scenario:
     scenario = parse_scenario(text, str(path))
     if not overrides:
         return scenario
-    values = tomllib.loads(text)
+    return override_scenario(tomllib.loads(text), overrides, str(path))
+
+
+def override_scenario(
+    values: dict[str, Any], overrides: Sequence[str], source: str, option: str = "--set"
+) -> Scenario:
+    """Scenario of the contents of a file, overridden.
+
+    Args:
+        values: contents of a file that is valid.
+        overrides: as `load_scenario` takes them.
+        source: names the file in messages.
+        option: names the overrides in messages.
+
+    Raises:
+        ScenarioError: an override cannot be read, or makes no scenario.
+    """
     for override in overrides:
-        values = _overridden(values, override)
+        values = _overridden(values, override, option)
     values = _told(values, overrides)
     try:
         return _validated(values)
     except ValidationError as error:
-        raise ScenarioError(f"--set on {path}: {first_problem(error, Scenario)}") from None
+        raise ScenarioError(f"{option} on {source}: {first_problem(error, Scenario)}") from None
 
 
 def parse_scenario(text: str, source: str) -> Scenario:
@@ -132,17 +148,19 @@ def _told(values: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
     return {**values, "title": told, "description": f"{note[:room]}\n{description.strip()}"}
 
 
-def _overridden(values: dict[str, Any], override: str) -> dict[str, Any]:
+def _overridden(values: dict[str, Any], override: str, option: str) -> dict[str, Any]:
     key, equals, text = override.partition("=")
     if not equals or not key.strip():
-        raise ScenarioError(f"--set {override!r}: expected KEY=VALUE, such as loop.trim_filter=20")
+        raise ScenarioError(
+            f"{option} {override!r}: expected KEY=VALUE, such as loop.trim_filter=20"
+        )
     try:
         value = tomllib.loads(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
         value = text.strip()
     except (ValueError, RecursionError) as error:
-        raise ScenarioError(f"--set {key.strip()}: cannot be read: {error}") from None
+        raise ScenarioError(f"{option} {key.strip()}: cannot be read: {error}") from None
     try:
         return with_value(values, key, value)
     except ScenarioError as error:
-        raise ScenarioError(f"--set {key}: {error}") from None
+        raise ScenarioError(f"{option} {key}: {error}") from None
