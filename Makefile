@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 STATIONS := $(VENV)/.stations
 
-.PHONY: demo test coverage stations-full bench validate hostile inner-loops lint format golden clean
+.PHONY: demo test coverage stations-full bench validate hostile inner-loops lint format schema golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
@@ -51,6 +51,10 @@ lint: $(READY)
 format: $(READY)
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
+
+schema: $(READY)  ## Write the JSON Schemas that the shipped files name
+	$(BIN)/ftc-jsb schema scenario > scenarios/schema/scenario.json
+	$(BIN)/ftc-jsb schema campaign > scenarios/schema/campaign.json
 
 golden: $(READY)  ## Rewrite the golden flights and figures; say why in the commit
 	$(BIN)/pytest -n 0 tests/regression tests/report/test_figures.py --rewrite-golden

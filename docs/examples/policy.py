@@ -48,7 +48,7 @@ def train(generations=60, episodes=2, seed=1, duration=20.0):
 
 
 class Policy:
-    """The trained policy as an outer loop; it decides five times less often than it is asked, as in training."""
+    """The trained policy as an outer loop; it decides as often as in training: every fifth sample."""
 
     HOLD = 5
 

@@ -22,6 +22,7 @@ from ftc_jsb.cli.margins import margins
 from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
+from ftc_jsb.cli.schema import schema
 from ftc_jsb.errors import UserError
 
 
@@ -50,6 +51,6 @@ def main() -> None:
 
 for _command in (
     bench, campaign, check, compare, convert, export, figures, fly,
-    identify, inner_loop, list_, margins, replay, report,
+    identify, inner_loop, list_, margins, replay, report, schema,
 ):  # fmt: skip
     main.add_command(_command)

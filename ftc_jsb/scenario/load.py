@@ -12,7 +12,8 @@ from ftc_jsb.errors import ScenarioError
 from ftc_jsb.resources import shipped
 from ftc_jsb.scenario.keys import with_value
 from ftc_jsb.scenario.schema import DESCRIPTION_LENGTH, TITLE_LENGTH, Scenario
-from ftc_jsb.typed_file import first_problem
+from ftc_jsb.suggestion import did_you_mean
+from ftc_jsb.typed_file import every_problem
 
 _NOT_TOLD = (
     "model",
@@ -48,7 +49,8 @@ def scenario_path(name: str) -> Path:
         raise ScenarioError(f"{name}: no such file; expected the path of a scenario (.toml)")
     known = ", ".join(scenario_names())
     raise ScenarioError(
-        f"no scenario {name!r}; shipped are {known}; or give the path of a .toml file"
+        f"no scenario {name!r}{did_you_mean(name, scenario_names())}; shipped are {known}; "
+        "or give the path of a .toml file"
     )
 
 
@@ -94,7 +96,7 @@ def override_scenario(
     try:
         return _validated(values)
     except ValidationError as error:
-        raise ScenarioError(f"{option} on {source}: {first_problem(error, Scenario)}") from None
+        raise ScenarioError(f"{option} on {source}: {every_problem(error, Scenario)}") from None
 
 
 def parse_scenario(text: str, source: str) -> Scenario:
@@ -118,7 +120,7 @@ def scenario_of(values: dict[str, Any], source: str) -> Scenario:
     try:
         return _validated(values)
     except ValidationError as error:
-        raise ScenarioError(f"{source}: {first_problem(error, Scenario)}") from None
+        raise ScenarioError(f"{source}: {every_problem(error, Scenario)}") from None
 
 
 def scenario_toml(scenario: Scenario) -> str:
