@@ -33,10 +33,10 @@ def _sections(model: type[BaseModel], found: dict[str, type[BaseModel]] | None =
         waiting = [field.annotation]
         while waiting:
             part = waiting.pop()
-            if isinstance(part, type) and issubclass(part, BaseModel):
-                if part.__name__ not in found:
-                    found[part.__name__] = part
-                    _sections(part, found)
+            section = isinstance(part, type) and issubclass(part, BaseModel)
+            if section and part.__name__ not in found:
+                found[part.__name__] = part
+                _sections(part, found)
             waiting.extend(getattr(part, "__args__", ()))
     return found.values()
 

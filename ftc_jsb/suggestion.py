@@ -38,6 +38,6 @@ def meant(word: str, *known: Iterable[str]) -> str | None:
 
 
 def did_you_mean(word: str, *known: Iterable[str]) -> str:
-    """`; did you mean 'start'?`, or nothing; as `meant`."""
+    """` (did you mean 'start'?)`, or nothing; as `meant`."""
     found = meant(word, *known)
-    return "" if found is None else f"; did you mean {found!r}?"
+    return "" if found is None else f" (did you mean {found!r}?)"

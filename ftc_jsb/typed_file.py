@@ -6,7 +6,7 @@ from typing import Any, get_args
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from ftc_jsb.suggestion import did_you_mean
+from ftc_jsb.suggestion import meant
 
 
 class Section(BaseModel):
@@ -68,7 +68,8 @@ def _sentence(problem: Any, model: type[BaseModel]) -> str:
     key = key_path(location)
     if kind == "extra_forbidden":
         here = _section(model, location[:-1]).model_fields
-        return f"unknown key {key!r}{did_you_mean(str(location[-1]), here, _keys(model))}"
+        near = meant(str(location[-1]), here, _keys(model))
+        return f"unknown key {key!r}" + (f"; did you mean {near!r}?" if near else "")
     if kind == "missing":
         return f"{key}: missing, and it has no default"
     message = problem["msg"].removeprefix("Value error, ")

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from ftc_jsb.cli.printing import message, progress_line
+from ftc_jsb.cli import printing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -15,7 +15,7 @@ def note(scenario: "Scenario") -> None:
     from ftc_jsb.scenario.notes import notes
 
     for text in notes(scenario):
-        message(f"note: {text}")
+        printing.note(text)
 
 
 def announce(scenario: "Scenario", overrides: "Sequence[str]" = (), compared: bool = False) -> None:
@@ -40,7 +40,7 @@ def _unused(scenario: "Scenario", overrides: "Sequence[str]", compared: bool) ->
         models = list(scenario.compare.models)
         loops = [scenario.loop.model_copy(update={"name": n}) for n in scenario.compare.loops]
     for text in unused_keys(overrides, models, loops):
-        message(f"note: {text}")
+        printing.note(text)
 
 
 def compiling() -> None:
@@ -48,4 +48,6 @@ def compiling() -> None:
     from ftc_jsb.compiled import is_first_run
 
     if is_first_run("ftc_jsb.simulation.sample"):
-        progress_line("Compiling the numerical kernels (first run only, about half a minute) ...")
+        printing.progress_line(
+            "Compiling the numerical kernels (first run only, about half a minute) ..."
+        )

@@ -9,6 +9,7 @@ from ftc_jsb.cli.announcement import announce
 from ftc_jsb.cli.exit_codes import INTERRUPTED
 from ftc_jsb.cli.options import (
     Output,
+    examples,
     json_option,
     margins_option,
     output_options,
@@ -18,6 +19,10 @@ from ftc_jsb.cli.options import (
 from ftc_jsb.cli.written_report import write_and_print
 
 
+@examples(
+    "ftc-jsb compare paper",
+    "ftc-jsb compare turbulence --set 'compare.models=[\"jsbsim\"]' --out gusts",
+)
 @click.command()
 @scenario_argument
 @set_option

@@ -10,6 +10,7 @@ from ftc_jsb.cli.bench import bench
 from ftc_jsb.cli.campaign import campaign
 from ftc_jsb.cli.check import check
 from ftc_jsb.cli.compare import compare
+from ftc_jsb.cli.completion import completion
 from ftc_jsb.cli.convert import convert
 from ftc_jsb.cli.exit_codes import BAD_USAGE, INTERRUPTED
 from ftc_jsb.cli.export import export
@@ -19,15 +20,26 @@ from ftc_jsb.cli.identify import identify
 from ftc_jsb.cli.inner_loop import inner_loop
 from ftc_jsb.cli.inventory import list_
 from ftc_jsb.cli.margins import margins
+from ftc_jsb.cli.options import examples
 from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
 from ftc_jsb.cli.schema import schema
 from ftc_jsb.errors import UserError
+from ftc_jsb.suggestion import did_you_mean
 
 
 class _Commands(click.Group):
     """Turns every `UserError` into one sentence and exit code 2."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Say what a misspelt command may have meant."""
+        if args and args[0] not in self.commands and not args[0].startswith("-"):
+            hint = did_you_mean(args[0], self.commands)
+            ctx.fail(f"No such command {args[0]!r}{hint or '.'}")
+        return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
@@ -40,6 +52,11 @@ class _Commands(click.Group):
             sys.exit(INTERRUPTED)
 
 
+@examples(
+    "ftc-jsb compare paper            the paper, on three models, with FTC and without",
+    "ftc-jsb fly severe --model jsbsim",
+    "ftc-jsb completion bash          completes names and keys in your shell",
+)
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(ftc_jsb.__version__, prog_name="ftc-jsb")
 def main() -> None:
@@ -50,7 +67,7 @@ def main() -> None:
 
 
 for _command in (
-    bench, campaign, check, compare, convert, export, figures, fly,
+    bench, campaign, check, compare, completion, convert, export, figures, fly,
     identify, inner_loop, list_, margins, replay, report, schema,
 ):  # fmt: skip
     main.add_command(_command)

@@ -8,13 +8,19 @@ from typing import Any, NamedTuple
 
 import click
 
+from ftc_jsb.cli import completed_names, printing
+
 Callback = Callable[..., Any]
 Decorator = Callable[[Callback], Callback]
 
 MODELS = click.Choice(["paper", "identified", "jsbsim"])
 
-scenario_argument = click.argument("scenario", metavar="SCENARIO")
-aircraft_argument = click.argument("aircraft", metavar="AIRCRAFT")
+scenario_argument = click.argument(
+    "scenario", metavar="SCENARIO", shell_complete=completed_names.scenarios
+)
+aircraft_argument = click.argument(
+    "aircraft", metavar="AIRCRAFT", shell_complete=completed_names.aircraft
+)
 recording_argument = click.argument(
     "recording", metavar="FLIGHT.nc", type=click.Path(path_type=Path)
 )
@@ -22,14 +28,40 @@ recordings_argument = click.argument(
     "recordings", metavar="FLIGHT.nc...", nargs=-1, required=True, type=click.Path(path_type=Path)
 )
 set_option = click.option(
-    "--set", "overrides", metavar="KEY=VALUE", multiple=True, help="Override a key of the scenario."
+    "--set",
+    "overrides",
+    metavar="KEY=VALUE",
+    multiple=True,
+    help="Override a key of the scenario.",
+    shell_complete=completed_names.keys,
 )
 force_option = click.option("--force", is_flag=True, help="Write into DIR though it is not empty.")
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON for machines.")
+
+
+def _hush(ctx: click.Context, _: click.Parameter, quiet: bool) -> None:
+    if quiet:
+        ctx.with_resource(printing.hushed())
+
+
+quiet_option = click.option(
+    "--quiet", "-q", is_flag=True, expose_value=False, is_eager=True, callback=_hush,
+    help="Print nothing but what went wrong, and what --json asks for.",
+)  # fmt: skip
 margins_option = click.option(
     "--margins", "margin_files", metavar="FILE", multiple=True, type=click.Path(path_type=Path),
     help="margins.json of `ftc-jsb margins`, shown with the flights that it is of.",
 )  # fmt: skip
+
+
+def examples(*lines: str) -> Callable[[click.Command], click.Command]:
+    """Commands as they may be typed, at the end of --help."""
+
+    def decorate(command: click.Command) -> click.Command:
+        command.epilog = "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
+        return command
+
+    return decorate
 
 
 def grouped(name: str, group: type[Any], *options: Decorator) -> Decorator:
@@ -79,4 +111,5 @@ output_options = grouped(
         "--out", metavar="DIR", type=click.Path(path_type=Path), help="Folder for the results."
     ),
     force_option,
+    quiet_option,
 )

@@ -4,19 +4,19 @@ import json
 
 import click
 
+from ftc_jsb.cli.options import examples
+
 KINDS = ("scenario", "campaign")
 
 
+@examples("ftc-jsb schema scenario > scenario.json")
 @click.command()
 @click.argument("kind", type=click.Choice(KINDS))
 def schema(kind: str) -> None:
-    r"""Print the JSON Schema of scenario or campaign files.
+    """Print the JSON Schema of scenario or campaign files.
 
-    Shipped files name theirs in the first line, as taplo and Even Better TOML read it. For files of your own:
-
-    \b
-      ftc-jsb schema scenario > scenario.schema.json
-      and as the first line of mine.toml:   #:schema ./scenario.schema.json
+    Shipped files name theirs in the first line, as taplo and Even Better TOML read it. For files of your own,
+    write it to a file, say scenario.json, and make `#:schema ./scenario.json` the first line of yours.
     """
     from ftc_jsb.file_schema import json_schema
 

@@ -1,4 +1,4 @@
-"""JSON Schemas of the shipped files: what ships is what the models say, and every shipped file is valid by it."""
+"""JSON Schemas of the shipped files: what ships is what the models say, and by it shipped files are valid."""
 
 import json
 import tomllib
