@@ -77,7 +77,7 @@ def _sentence(problem: Any, model: type[BaseModel]) -> str:
         return message if message.startswith(key.split("[")[0]) or not key else f"{key}: {message}"
     message = _EXPECTED.get(kind, message[0].lower() + message[1:])
     value = problem["input"]
-    if kind == "float_type" and isinstance(value, str):
+    if kind == "float_type" and isinstance(value, str) and _QUANTITY.fullmatch(value):
         message = f"expected a number without a unit{_in_our_units(value)}"
     shown = "" if isinstance(value, dict) or len(repr(value)) > 80 else f" (got {value!r})"
     return f"{key}: {message}{shown}" if key else f"{message}{shown}"
