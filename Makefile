@@ -63,7 +63,10 @@ $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "ftc-jsb needs Python 3.11 or later; try make PYTHON=python3.12")'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade pip --constraint constraints.txt
-	$(BIN)/python -m pip install --quiet --editable ".[dev]" --constraint constraints.txt
+	$(BIN)/python -m pip install --quiet --editable . --constraint constraints.txt
+	# The kernels are compiled while the tools of developers are fetched.
+	PYTHONPATH=$(CURDIR) $(BIN)/python -m ftc_jsb warm & \
+	$(BIN)/python -m pip install --quiet --editable ".[dev]" --constraint constraints.txt; status=$$?; wait; exit $$status
 	touch $@
 
 # MAVProxy's own requirements include its maps' vtk and opencv; what it needs besides is in the extra.

@@ -9,12 +9,11 @@ Item = TypeVar("Item")
 
 
 def compiling() -> None:
-    """Say on the standard error that kernels will be compiled, if they have yet to be."""
-    from ftc_jsb.compiled import is_first_run
+    """Compile the kernels if they have yet to be, and say so on the standard error."""
+    from ftc_jsb.warm import is_cold, warm
 
-    if is_first_run("ftc_jsb.simulation.sample"):
-        said = "Compiling the numerical kernels (first run only, about half a minute) ..."
-        print(said, file=sys.stderr, flush=True)
+    if is_cold():
+        warm(lambda text: print(text, file=sys.stderr, flush=True))
 
 
 class Bar:

@@ -44,10 +44,9 @@ def _unused(scenario: "Scenario", overrides: "Sequence[str]", compared: bool) ->
 
 
 def compiling() -> None:
-    """Say that kernels will be compiled, if they have yet to be."""
-    from ftc_jsb.compiled import is_first_run
+    """Compile the kernels if they have yet to be, and say so."""
+    from ftc_jsb.warm import is_cold, warm
 
-    if is_first_run("ftc_jsb.simulation.sample"):
-        printing.progress_line(
-            "Compiling the numerical kernels (first run only, about half a minute) ..."
-        )
+    if is_cold():
+        printing.progress_line("First run: the numerical kernels are compiled, once.")
+        warm(printing.progress_line)

@@ -31,7 +31,7 @@ def test_it_shows_itself_in_a_line_and_in_a_table(flight):
 def test_tables_hold_the_recording(flight):
     frame, dataset = flight.to_pandas(), flight.to_xarray()
     assert np.array_equal(frame["airspeed"], flight.record["airspeed"])
-    assert frame.attrs["units"]["airspeed"] == dataset["airspeed"].attrs["units"] == "m s-1"
+    assert frame.attrs["units"]["airspeed"] == dataset["airspeed"].attrs["units"] == "m/s"
     assert frame.index.name == "time"
 
 
