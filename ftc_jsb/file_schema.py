@@ -30,11 +30,14 @@ def _sections(model: type[BaseModel], found: dict[str, type[BaseModel]] | None =
     """Every section below a model, once."""
     found = {} if found is None else found
     for field in model.model_fields.values():
-        waiting = [field.annotation]
+        waiting: list[Any] = [field.annotation]
         while waiting:
             part = waiting.pop()
-            section = isinstance(part, type) and issubclass(part, BaseModel)
-            if section and part.__name__ not in found:
+            if (
+                isinstance(part, type)
+                and issubclass(part, BaseModel)
+                and part.__name__ not in found
+            ):
                 found[part.__name__] = part
                 _sections(part, found)
             waiting.extend(getattr(part, "__args__", ()))

@@ -13,8 +13,8 @@ from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.assembly import blank_recording
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.theory.generated import generate
-from ftc_jsb.theory.joint_filter import FilterSettings, make_filter
-from ftc_jsb.theory.law import Reference, make_law
+from ftc_jsb.theory.kernels.joint_filter import FilterSettings
+from ftc_jsb.theory.kernels.law import Reference, Tuning
 from ftc_jsb.theory.linearization import linearize
 from ftc_jsb.theory.systems import fighter_by_velocity
 from validation.flights import measured
@@ -29,17 +29,19 @@ def cost_table() -> Iterator[str]:
     record[:] = fly(scenario).record
     loop = CompiledLoop(LoopSetup(aircraft, mass, scenario.loop, 0.01), model, record)
     kernels = generate(linearize(fighter_by_velocity()))
-    law = make_law(kernels)
     x, u, k = np.array([300.0, 0.0, 0.1]), np.array([4e4, 2.0, 0.5]), np.ones(3)
     wanted = Reference(x.copy(), x)
-    arguments = (x, u, k, kernels.parameters, wanted, np.eye(3), np.zeros(12), np.zeros(3))
+    tuning = Tuning(np.eye(3), np.array([1e5, 5.0, 1.0]), u)
+    scratch, command = np.zeros(kernels.scratch), np.zeros(3)
+    law = kernels.law
+    arguments = (x, u, k, kernels.parameters, wanted, tuning, scratch, command)
     law(*arguments)
     loop.step(0)
-    estimate = make_filter(kernels, 3, 3, 3)
+    estimate = kernels.estimate
     noise = np.array([1e-10, 1e-10, 1e-3, 1e-10, 1e-10, 1e-10])
     given_filter = (
         np.concatenate([x, k]), np.diag(1e2 * noise), u, x.copy(), kernels.parameters,
-        FilterSettings(noise, noise[:3].copy(), spread=3.0, floor=0.05, dt=0.01),
+        FilterSettings(noise, noise[:3].copy(), spread=6.0, floor=0.05, dt=0.01, extended=False),
     )  # fmt: skip
     estimate(*given_filter)
     yield "| step | µs |"

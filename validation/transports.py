@@ -33,7 +33,8 @@ WORDS = (
     "Aircraft of the jsbsim package as `ftc-jsb inner-loop NAME` drafts and designs them and `ftc-jsb "
     "identify` identifies them, nothing touched by hand (T-37 and 737: as shipped); then the paper's "
     "manoeuvre with its angles scaled, at the highest speed at which 0.6 of the thrust is 1.15 times what "
-    "it needs, and the loss to 0.6 at 20 s (`validation/transports.py`). Wanted: the effectiveness within 0.02 at the end of the flight. "
+    "it needs, and the loss to 0.6 at 20 s (`validation/transports.py`). Wanted: the effectiveness within "
+    "0.02 at the end of the flight. "
     "Drag residuals are RMS on held-out tests that go to the ends of the range, thrust of maximum."
 )
 AIRCRAFT = ("T37", "737", "global5000", "MD11", "A320", "B747", "787-8")

@@ -1,6 +1,7 @@
 """The typed `aircraft.toml`: what the weaving, the trim and the sensors need to know of an aircraft."""
 
 import tomllib
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Literal, Self
 
@@ -127,6 +128,13 @@ def load_aircraft(name: str) -> Aircraft:
     path = aircraft_folder(name) / "aircraft.toml"
     if not path.is_file():
         raise AircraftError(f"{path}: not found; the jsbsim model needs it beside point_mass.toml")
+    stamp = path.stat()
+    return _read(path, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
+
+
+@lru_cache(maxsize=16)
+def _read(path: Path, stamp: tuple[int, ...]) -> Aircraft:
+    """The file as it was at `stamp`; what has changed since has another stamp."""
     try:
         values = tomllib.loads(path.read_text(encoding="utf-8"))
         return Aircraft(**values).model_copy(update={"folder": path.parent})

@@ -7,8 +7,10 @@ import numpy.typing as npt
 
 from ftc_jsb.analysis.fault_steps import SETTLING, fault_steps
 from ftc_jsb.analysis.finite_statistics import fraction, peak, root_mean_square
+from ftc_jsb.control.instruments import LEAST_THRUST
 from ftc_jsb.loops.built_in import tuned_by_sensors
 from ftc_jsb.recording.flight import Flight
+from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.channels import Channel
 
 
@@ -42,11 +44,13 @@ def unobservable(flight: Flight, channel: Channel) -> npt.NDArray[np.bool_]:
 
     Without information the variance grows by the channel's Q at every step. A channel counts as not
     observable where its variance has grown by more than half of that over the last half second.
-    With covariances by the sensors the Q of the flight is not recorded, and nothing is told: no sample.
+    With covariances by the sensors the Q of the flight is not recorded: thrust is not observable there
+    where the loop expects less than 2 % of the weight of it.
     """
     estimator, record = flight.scenario.loop.estimator, flight.record
     if tuned_by_sensors(flight.scenario.loop):
-        return np.zeros(record.size, dtype=bool)
+        blind = np.abs(record["thrust_model"]) < LEAST_THRUST * STANDARD_GRAVITY * record["mass"]
+        return np.asarray(blind & (channel == "thrust"))
     variance = record[f"effectiveness_{channel}_std"] ** 2
     noise = estimator.process_noise[3 + estimator.channels.index(channel)]
     if record.size < 2:
@@ -61,10 +65,8 @@ def unobservable(flight: Flight, channel: Channel) -> npt.NDArray[np.bool_]:
 
 
 def unobservable_fractions(flight: Flight) -> dict[str, Any]:
-    """Part of the samples at which each estimated channel is not observable; None where it is not told."""
+    """Part of the samples at which each estimated channel is not observable; None without an estimate."""
     loop = flight.scenario.loop
-    if tuned_by_sensors(loop):
-        return dict.fromkeys(loop.estimator.channels)
     return {
         channel: fraction(
             unobservable(flight, channel), flight.record[f"effectiveness_{channel}_std"]

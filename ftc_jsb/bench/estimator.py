@@ -48,6 +48,8 @@ def _process(model: Any, filters: Any, u: Vector, x: Vector) -> Any:
 
 def measure_ukf(rounds: int = 9, samples: int = 60) -> dict[str, float | None]:
     """Median time of a step and ratios; `ukf_vs_filterpy` is None where FilterPy is not installed."""
+    from scipy.linalg import block_diag
+
     scenario = load_scenario("paper", [f"duration={samples * DT}"])
     record = fly(scenario).record
     aircraft = point_mass_of(scenario)
@@ -59,6 +61,7 @@ def measure_ukf(rounds: int = 9, samples: int = 60) -> dict[str, float | None]:
     )
     q = np.diag(scenario.loop.estimator.process_noise)
     r = np.diag(scenario.loop.estimator.measurement_noise)
+    noise = block_diag(q, r)
     x0 = np.append(outputs[0], 1.0)
     p0 = np.diag(scenario.loop.estimator.initial_covariance)
     filters = np.zeros(1, FILTER)
@@ -82,7 +85,7 @@ def measure_ukf(rounds: int = 9, samples: int = 60) -> dict[str, float | None]:
             def advance(point: Array, u: Array = u) -> Array:
                 return np.asarray(process(model, filters, u, np.ascontiguousarray(point)))
 
-            x, p = augmented_step(advance, observe, x, p, q, r, y)
+            x, p = augmented_step(advance, observe, x, p, noise, y)
         return samples
 
     works: dict[str, Callable[[], int]] = {"ours": ours, "augmented": augmented}

@@ -38,7 +38,7 @@ def fly_in_numpy(scenario: Scenario, model: Any, trim_thrust: float, samples: in
         (samples, 5): airspeed, flight path angle, heading, altitude, estimated effectiveness.
     """
     loop, dt = scenario.loop, 1.0 / scenario.loop.rate
-    raw = raw_commands(scenario.reference, np.arange(samples + 1, dtype=np.float64) * dt)
+    raw = raw_commands(scenario.reference, np.arange(samples + 1, dtype=np.float64) * dt)[:, :3]
     held = command_filter(
         scenario.reference.filter_frequency, scenario.reference.filter_damping, dt, raw[0]
     )[0]

@@ -25,6 +25,8 @@ def connected(address: str | None, workers: int | None) -> Iterator[Any]:
     import dask
     from distributed import Client, LocalCluster
 
+    from ftc_jsb.campaign.undisturbed import Undisturbed
+
     settings = {
         "distributed.worker.daemon": True,
         "distributed.comm.timeouts.connect": "5s",
@@ -42,6 +44,7 @@ def connected(address: str | None, workers: int | None) -> Iterator[Any]:
                 ) as cluster,
                 Client(cluster) as client,
             ):
+                client.register_plugin(Undisturbed())
                 yield client
             return
         try:

@@ -47,12 +47,6 @@ class Engine:
             for future in flying:
                 future.cancel()
 
-    def one_round(self, items: Sequence[Item]) -> list[dict[str, Any]]:
-        """Rows of items, in their order: what a search waits for."""
-        rows = [row for batch in self.batches(items) for row in batch.rows]
-        order = {item.number: place for place, item in enumerate(items)}
-        return sorted(rows, key=lambda row: order[row["case"]])
-
     def _next(self, waiting: list[Item]) -> list[Item]:
         """The next batch: some seconds of work, and at the end no more than its share of what is left."""
         size = 1 if self._pace is None else max(1, min(int(TARGET / self._pace), LARGEST))

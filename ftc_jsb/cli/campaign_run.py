@@ -97,8 +97,12 @@ def dry_run(bases: "Bases", options: Options) -> None:
     from ftc_jsb.cli.announcement import compiling
 
     campaign = bases.campaign
-    each = len(flights_of(bases))
-    click.echo(f"{campaign.count} cases of {each} flights: {campaign.count * each} flights")
+    each, cases = len(flights_of(bases)), campaign.count
+    if options.search:
+        each, cases = 1, campaign.search.flights * (2 if campaign.search.baseline else 1)
+    elif campaign.subset is not None:
+        each, cases = 1, campaign.subset.samples * campaign.subset.levels
+    click.echo(f"{cases} cases of {each} flights: {cases * each} flights")
     if campaign.stop is not None:
         click.echo("at most: the rule of [stop] may end it before")
     if options.scheduler is not None:
@@ -107,7 +111,7 @@ def dry_run(bases: "Bases", options: Options) -> None:
     workers = options.workers or os.cpu_count() or 1
     seconds = seconds_a_case(bases)
     click.echo(
-        f"about {duration(campaign.count * seconds / workers)} on {workers} workers "
+        f"about {duration(cases * seconds / workers)} on {workers} workers "
         f"(case 0 took {seconds:.2f} s here)"
     )
 

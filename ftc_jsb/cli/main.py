@@ -25,6 +25,7 @@ from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
 from ftc_jsb.cli.schema import schema
+from ftc_jsb.cli.theory import theory
 from ftc_jsb.cli.warm import warm
 from ftc_jsb.errors import UserError
 from ftc_jsb.suggestion import did_you_mean
@@ -69,6 +70,6 @@ def main() -> None:
 
 for _command in (
     bench, campaign, check, compare, completion, convert, export, figures, fly,
-    identify, inner_loop, list_, margins, replay, report, schema, warm,
+    identify, inner_loop, list_, margins, replay, report, schema, theory, warm,
 ):  # fmt: skip
     main.add_command(_command)

@@ -4,12 +4,13 @@ import functools
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import click
 
 from ftc_jsb.cli import completed_names, printing
 
+AnyCommand = TypeVar("AnyCommand", bound=click.Command)
 Callback = Callable[..., Any]
 Decorator = Callable[[Callback], Callback]
 
@@ -54,10 +55,10 @@ margins_option = click.option(
 )  # fmt: skip
 
 
-def examples(*lines: str) -> Callable[[click.Command], click.Command]:
+def examples(*lines: str) -> Callable[[AnyCommand], AnyCommand]:
     """Commands as they may be typed, at the end of --help."""
 
-    def decorate(command: click.Command) -> click.Command:
+    def decorate(command: AnyCommand) -> AnyCommand:
         command.epilog = "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
         return command
 

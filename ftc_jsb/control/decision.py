@@ -98,7 +98,7 @@ def effectiveness_for_law(s: LoopSettings, x: LoopState, row: Row) -> Inputs:
     if s.effectiveness == ESTIMATED:
         f = x.observer.filter
         for a in range(f.count - OUTPUTS):
-            value = f.estimate[OUTPUTS + a]
+            value = min(f.estimate[OUTPUTS + a], s.effectiveness_most)
             if f.channel[a] == THRUST:
                 thrust = value
             elif f.channel[a] == LOAD_FACTOR:

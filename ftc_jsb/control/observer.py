@@ -3,13 +3,18 @@
 import math
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.instruments import (
+    NOTHING,
+    consider_instruments,
+    drag_coefficient_measured,
+    noise_as_seen,
+)
 from ftc_jsb.control.records import NO_ESTIMATOR, UNSCENTED
 from ftc_jsb.estimation.detector import detect
 from ftc_jsb.estimation.ekf import predict_extended
 from ftc_jsb.estimation.process import OUTPUTS, Forcing, place_of_channel
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update, update_by_state
-from ftc_jsb.point_mass.drag import measured_drag_coefficient
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.point_mass.response import lag_step
@@ -25,7 +30,7 @@ def start_observer(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition,
     o.trim_thrust = x.trim[0]
     o.rotor_speed = rotor_speed_target(at, x.trim[0])
     o.thrust = healthy_thrust(at, o.rotor_speed, x.trim[0])
-    o.drag_coefficient = _measured_drag_coefficient(m, x, at, row)
+    o.drag_coefficient = drag_coefficient_measured(m, x, at, row, NOTHING, 0.0)
     o.alpha, o.load_factor, o.bank_angle = row.alpha_meas, row.load_factor_meas, row.bank_angle_meas
     f = o.filter
     f.rejected = 0
@@ -39,6 +44,8 @@ def start_observer(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition,
             f.covariance[a, b] = 0.0
         f.covariance[a, a] = s.initial_covariance[a]
     o.acceleration_innovation, o.acceleration_innovation_std = math.nan, math.nan
+    o.acceleration_noise, o.considered = s.acceleration_noise, 0.0
+    o.noise_seen, o.power, o.product, o.last = s.acceleration_noise, 1.0, 0.0, 0.0
     o.detector.declared = 0
     o.detector.elapsed = 0.0
 
@@ -68,11 +75,13 @@ def _set_process_noise(s: LoopSettings, m: ModelRecord, x: LoopState) -> None:
     for a in range(o.filter.count):
         o.process_noise[a] = s.process_noise[a]
         if a >= OUTPUTS and s.response_time > 0.0:
-            o.process_noise[a] = _effectiveness_noise(s, m, o.trim_thrust)
+            o.process_noise[a] = _effectiveness_noise(s, m, o.trim_thrust, o.noise_seen)
 
 
 @compiled
-def _effectiveness_noise(s: LoopSettings, m: ModelRecord, trim_thrust: float) -> float:
+def _effectiveness_noise(
+    s: LoopSettings, m: ModelRecord, trim_thrust: float, noise_now: float
+) -> float:
     """Q of an effectiveness that lets the filter follow a loss in `response_time`.
 
     A random walk of variance q a step, seen each step with variance r, is followed by the steady
@@ -80,7 +89,7 @@ def _effectiveness_noise(s: LoopSettings, m: ModelRecord, trim_thrust: float) ->
     force along the velocity over the thrust of trim; without the accelerometer it is that of the
     airspeed's change over the response time.
     """
-    noise = s.acceleration_noise
+    noise = noise_now
     if noise == 0.0:
         steps = s.response_time / s.dt
         noise = (s.process_noise[0] * steps + 2.0 * s.measurement_noise[0]) / s.response_time**2
@@ -96,7 +105,7 @@ def _forcing_of_sample(
     """What acted over the sample that has passed: means of its start and its end."""
     o = x.observer
     thrust = _healthy_thrust_of_sample(s, m, x, at)
-    drag_coefficient = _measured_drag_coefficient(m, x, at, row)
+    drag_coefficient = drag_coefficient_measured(m, x, at, row, NOTHING, 0.0)
     mean_drag = 0.5 * (o.drag_coefficient + drag_coefficient)
     mean_alpha = 0.5 * (o.alpha + row.alpha_meas)
     mean_load_factor = 0.5 * (o.load_factor + row.load_factor_meas)
@@ -124,23 +133,6 @@ def _healthy_thrust_of_sample(
     else:
         o.thrust = thrust
     return thrust
-
-
-@compiled
-def _measured_drag_coefficient(m: ModelRecord, x: LoopState, at: Condition, row: Row) -> float:
-    """Drag coefficient of the measured angles, surfaces and pitch rate; nan where there is none."""
-    if m.measured_mach_count == 0:
-        return math.nan
-    airspeed = x.known.state[0]
-    return measured_drag_coefficient(
-        m,
-        airspeed / at.sound_speed,
-        row.alpha_meas,
-        row.sideslip_meas,
-        row.elevator_meas,
-        row.flap_meas,
-        row.pitch_rate_meas / airspeed,
-    )
 
 
 @compiled
@@ -193,12 +185,15 @@ def _update_by_acceleration(
     slope = o.thrust * math.cos(alpha) / m.mass  # of the acceleration, per effectiveness
     if not math.isfinite(row.acceleration_meas + slope + drag):
         return
+    consider_instruments(s, m, x, at, row, slope)
     place = place_of_channel(o.filter, THRUST)
     effectiveness = o.filter.estimate[place] if place >= 0 else 1.0
     o.acceleration_innovation = row.acceleration_meas - (effectiveness * slope - drag / m.mass)
     if place >= 0:
+        variance = slope * slope * o.filter.covariance[place, place] + o.acceleration_noise
+        o.noise_seen = noise_as_seen(o, o.acceleration_innovation, variance, s.dt)
         o.acceleration_innovation_std = update_by_state(
-            o.filter, place, slope, o.acceleration_innovation, s.acceleration_noise, floor
+            o.filter, place, slope, o.acceleration_innovation, o.noise_seen, floor
         )
 
 
@@ -248,6 +243,8 @@ def _record_effectiveness(s: LoopSettings, x: LoopState, row: Row) -> None:
     for a in range(f.count - OUTPUTS):
         estimate = f.estimate[OUTPUTS + a]
         deviation = math.sqrt(f.covariance[OUTPUTS + a, OUTPUTS + a])
+        if f.channel[a] == THRUST:
+            deviation = math.hypot(deviation, o.considered)
         if f.channel[a] == THRUST:
             row.effectiveness_thrust_est = estimate
             row.effectiveness_thrust_std = deviation

@@ -26,6 +26,10 @@ LOOP_SETTINGS = np.dtype(
         ("speed_first", np.int64),  # 1: climb and turn are given up before airspeed
         ("trim_share", float),  # of the way to u that (10) goes in a sample
         ("effectiveness_floor", float),  # sigma: the least effectiveness the law divides by
+        (
+            "effectiveness_most",
+            float,
+        ),  # and the largest: an instrument may tell of more than there is
         ("lead", float, (2,)),  # [s] of load factor and bank, against the inner loop's lag
         ("lead_filter", float),  # [1/s] of the rate that it takes
         ("lead_share", float),  # of the way that this filter goes in a sample
@@ -33,6 +37,10 @@ LOOP_SETTINGS = np.dtype(
         ("measurement_noise", float, (OUTPUTS,)),
         ("initial_covariance", float, (STATES,)),
         ("acceleration_noise", float),  # R of the force along the velocity [m^2/s^4]; 0 = not used
+        ("angle_noise", float, (4,)),  # variance of alpha, sideslip, elevator, flap [rad^2]
+        ("angle_bias", float, (4,)),  # standard deviation of what they are off by [rad]
+        ("acceleration_bias", float),  # likewise [m/s^2]
+        ("airspeed_bias", float),  # [m/s]
         ("response_time", float),  # [s], sets Q of the effectiveness; 0 = process_noise has it
         ("feedback", np.int64),  # 1: errors of the estimate, 0: of the measurement
         ("spread", float),  # n_a + kappa of (26)
@@ -62,6 +70,12 @@ OBSERVER = np.dtype(  # what was flown and estimated
         ("alpha", float),  # [rad], likewise
         ("load_factor", float),
         ("bank_angle", float),  # [rad]
+        ("acceleration_noise", float),  # R of this sample [m^2/s^4]
+        ("noise_seen", float),  # the same, larger where its innovations are
+        ("power", float),  # of that force's normalised innovations, lagged: 1 where R is right
+        ("product", float),  # of neighbouring ones: 0 where they are white
+        ("last", float),  # of them
+        ("considered", float),  # standard deviation of the effectiveness by the instruments' biases
         ("acceleration_innovation", float),  # [m/s^2]
         ("acceleration_innovation_std", float),
         ("process_noise", float, (STATES,)),

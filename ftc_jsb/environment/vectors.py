@@ -60,7 +60,8 @@ def observation(measurement: Measurement, reference: Reference) -> Vector:
     )
     scaled = np.array(values) / _SCALES
     bounded = np.clip(np.nan_to_num(scaled, nan=0.0), -LARGEST, LARGEST)
-    return bounded.astype(np.float32)
+    seen: Vector = bounded.astype(np.float32)
+    return seen
 
 
 class ActionRanges(NamedTuple):

@@ -13,8 +13,7 @@ def augmented_step(
     observe: Callable[[Array], Array],
     x: Array,
     p: Array,
-    q: Array,
-    r: Array,
+    noise: Array,
     y: Array,
     kappa: float | None = None,
 ) -> tuple[Array, Array]:
@@ -24,7 +23,7 @@ def augmented_step(
         process: f of (21) over one sample, (n,) to (n,).
         observe: h of (21), (n,) to (m,).
         x, p: estimate (n,) and covariance (n, n) at k-1.
-        q, r: covariances of process and measurement noise.
+        noise: (n + m, n + m), joint covariance of process and measurement noise, [Q, P_vxi; P_xiv, R].
         y: (m,), the measurement at k.
         kappa: of (26); 3 - n_a if not given.
 
@@ -36,7 +35,7 @@ def augmented_step(
     spread = 3.0 if kappa is None else na + kappa
     xa = np.concatenate([x, np.zeros(n + m)])  # (22), (23)
     pa = np.zeros((na, na))  # (25)
-    pa[:n, :n], pa[n : 2 * n, n : 2 * n], pa[2 * n :, 2 * n :] = p, q, r
+    pa[:n, :n], pa[n:, n:] = p, noise
     root = np.linalg.cholesky(spread * pa)
     points = np.column_stack([xa, xa[:, None] + root, xa[:, None] - root])  # (26)
     weights = np.full(2 * na + 1, 0.5 / spread)  # (29)

@@ -35,7 +35,7 @@ def weights_of(size: int, spread: float) -> Weights:
 @inlined
 def draw_points(
     mean: Vector, covariance: Matrix, size: int, spread: float, factor: Matrix, points: Matrix
-) -> None:
+) -> int:
     """(26): the mean, and the mean plus and minus each column of the root of (n_a + kappa) P.
 
     Args:
@@ -45,8 +45,11 @@ def draw_points(
         spread: n_a + kappa.
         factor: (>= n, >= n), receives the Cholesky factor of P.
         points: (>= 2n + 1, >= n), receives a point in each row.
+
+    Returns:
+        How many pivots of the factor were held.
     """
-    cholesky(covariance, size, factor)
+    held = cholesky(covariance, size, factor)
     scale = spread**0.5
     for i in range(size):
         points[0, i] = mean[i]
@@ -54,6 +57,7 @@ def draw_points(
             offset = scale * factor[i, j]
             points[1 + j, i] = mean[i] + offset
             points[1 + size + j, i] = mean[i] - offset
+    return held
 
 
 @inlined

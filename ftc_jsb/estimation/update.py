@@ -25,9 +25,9 @@ def update(
 ) -> None:
     """Correct `filter_state` in place by one measurement.
 
-    A measurement with an element that is not finite is skipped. With a gate, one whose normalised
-    innovation squared exceeds it is skipped too, but not more than `gate_patience` times in a row:
-    an outlier passes by, and a real jump is followed.
+    Where an element is not finite the others are corrected by, one after the other: a silent instrument
+    costs itself alone. With a gate, a measurement whose normalised innovation squared exceeds it is skipped,
+    but not more than `gate_patience` times in a row: an outlier passes by, and a real jump is followed.
 
     Args:
         filter_state: FILTER record.
@@ -38,7 +38,13 @@ def update(
         floor: lower bound of the effectiveness estimates, whose upper bound is then 1; 0 = neither.
     """
     finite = _innovate(filter_state, measurement, measurement_noise)
-    if not _passes_gate(filter_state, finite, gate, gate_patience):
+    if not finite:
+        for k in range(OUTPUTS):
+            if math.isfinite(measurement[k]):
+                innovation = measurement[k] - filter_state.estimate[k]
+                update_by_state(filter_state, k, 1.0, innovation, measurement_noise[k], floor)
+        return
+    if not _passes_gate(filter_state, gate, gate_patience):
         return
     _correct(filter_state, measurement_noise)
     _bound(filter_state, floor)
@@ -73,14 +79,13 @@ def _innovate(filter_state: Filter, measurement: Vector, measurement_noise: Vect
 
 
 @inlined
-def _passes_gate(filter_state: Filter, finite: bool, gate: float, gate_patience: int) -> bool:
+def _passes_gate(filter_state: Filter, gate: float, gate_patience: int) -> bool:
     """Whether the innovation is to be corrected by; counts refusals in a row."""
     if gate > 0.0 and filter_state.nis > gate and filter_state.rejected < gate_patience:
         filter_state.rejected += 1
         return False
-    if finite:
-        filter_state.rejected = 0
-    return finite
+    filter_state.rejected = 0
+    return True
 
 
 @inlined

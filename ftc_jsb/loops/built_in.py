@@ -24,7 +24,7 @@ from ftc_jsb.control.records import (
 )
 from ftc_jsb.disturbance.sensors import sensor_errors
 from ftc_jsb.estimation.process import OUTPUTS
-from ftc_jsb.loops.tuning import covariances
+from ftc_jsb.loops.tuning import biases, covariances
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.vocabulary.channels import CHANNELS
 
@@ -67,7 +67,6 @@ BUILT_IN = {
 }
 SLOW_ROLL = 1.5  # [rad/s]
 PATH_FIRST = 0.75  # share of an aircraft that rolls fast
-ROBUST_LEAD_FILTER = 8.0  # [1/s]: a lead of 0.2 to 0.3 s makes noise 3 times as large, not 15
 
 
 class CompiledLoop:
@@ -114,14 +113,13 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
         s["upright"] = model[0]["constant_density"] == 0.0  # any aircraft but the paper's
     s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
     s["effectiveness_floor"] = loop.effectiveness_floor
-    if loop.response_lead:
+    s["effectiveness_most"] = 1.0 if kind.robust else math.inf
+    if loop.response_lead and not kind.robust:  # a lead makes gusts larger
         for axis in range(2):  # a second-order lag is late by 2 z / w
             frequency = model[0]["response_frequency"][axis]
             if frequency > 0.0:
                 s["lead"][axis] = 2.0 * model[0]["response_damping"][axis] / frequency
-    s["lead_filter"] = (
-        min(loop.lead_filter, ROBUST_LEAD_FILTER) if kind.robust else loop.lead_filter
-    )
+    s["lead_filter"] = loop.lead_filter
     s["lead_share"] = 1.0 - math.exp(-s["lead_filter"] * dt)
     size = len(estimator.process_noise)
     s["process_noise"][:size] = estimator.process_noise
@@ -134,6 +132,10 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
         s["response_time"] = estimator.response_time
     if kind.robust or estimator.accelerometer:
         s["acceleration_noise"] = tuned.acceleration
+        s["angle_noise"] = tuned.angles
+        off = biases(sensor_errors(setup.sensors))
+        s["acceleration_bias"], s["airspeed_bias"] = off.acceleration, off.airspeed
+        s["angle_bias"] = off.angles
     s["feedback"] = kind.robust or loop.feedback == "estimated"
     s["spread"] = estimator.spread
     if estimator.gate:

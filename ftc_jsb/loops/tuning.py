@@ -15,6 +15,12 @@ from ftc_jsb.units import STANDARD_GRAVITY
 
 GUST = intensity("moderate", 3048.0)  # [m/s]
 DESIGN_AIRSPEED = 250.0  # [m/s]
+DRAG_ANGLES = (
+    "alpha",
+    "sideslip",
+    "elevator_position",
+    "flap_position",
+)  # drag is measured by them
 LEAST = 1e-10  # a variance that stands for none: the one printed in the paper
 
 
@@ -23,7 +29,29 @@ class Covariances(NamedTuple):
 
     process: tuple[float, float, float]  # a step: m^2/s^2, rad^2, rad^2
     measurement: tuple[float, float, float]
-    acceleration: float  # m^2/s^4
+    acceleration: float  # of the accelerometer alone, m^2/s^4
+    angles: tuple[float, ...]  # of DRAG_ANGLES, rad^2
+
+
+class Biases(NamedTuple):
+    """Standard deviations of what the instruments of a flight may be off by, all of the time."""
+
+    acceleration: float  # m/s^2
+    airspeed: float  # m/s
+    angles: tuple[float, ...]  # of DRAG_ANGLES, rad
+
+
+def biases(sensors: dict[str, Errors]) -> Biases:
+    """Biases of a suite of sensors, those that are given and those that are drawn for a flight."""
+
+    def size(name: str) -> float:
+        return math.hypot(sensors[name].bias, sensors[name].bias_spread)
+
+    return Biases(
+        size("load_factor_x") * STANDARD_GRAVITY,
+        size("airspeed"),
+        tuple(math.radians(size(name)) for name in DRAG_ANGLES),
+    )
 
 
 def covariances(sensors: dict[str, Errors], dt: float) -> Covariances:
@@ -49,7 +77,6 @@ def covariances(sensors: dict[str, Errors], dt: float) -> Covariances:
     )  # random walk of white noise through sigma sqrt(2 tau)/(1 + tau s)
     across = GUST**2 * 3.0 / time * dt / DESIGN_AIRSPEED**2  # sigma sqrt(3/tau) at high frequency
     vanes = angle("alpha", "sideslip")
-    acceleration = variance("load_factor_x") + angle("alpha")  # the vane turns n of 1 into it
     return Covariances(
         (along, across, across),
         (
@@ -57,5 +84,6 @@ def covariances(sensors: dict[str, Errors], dt: float) -> Covariances:
             max(angle("pitch", "roll") + vanes, LEAST),
             max(angle("yaw", "roll") + vanes, LEAST),
         ),
-        max(acceleration * STANDARD_GRAVITY**2, 1e-6),
+        max(variance("load_factor_x") * STANDARD_GRAVITY**2, 1e-6),
+        tuple(angle(name) for name in DRAG_ANGLES),
     )

@@ -108,7 +108,7 @@ def build_plant(
             seed=scenario.seed,
             output=output,
             measured=scenario.sensors.reach_inner_loop,
-            point_mass=point_mass_of(scenario),
+            point_mass=_flown_point_mass(scenario),
         )
     from ftc_jsb.simulation.point_mass_plant import PointMassPlant
 

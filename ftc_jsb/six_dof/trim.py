@@ -16,6 +16,7 @@ from ftc_jsb.units import FOOT
 HOLD = 3.0  # [s] of hands-off flight that the trim must survive
 SPEED_DRIFT = 1.0  # [m/s] that it may drift by then
 PATH_DRIFT = 0.5  # [deg]
+_HELD: set[tuple[Path, float, Initial, float]] = set()  # trims that this process has seen hold
 
 
 def trimmed(
@@ -39,7 +40,10 @@ def trimmed(
         TrimError: no trim, or one that hands-off flight leaves; with the residuals.
         AircraftError: the aircraft cannot be loaded or set up.
     """
-    _check_hold(aircraft, _trim(aircraft, root, dt, initial, fuel_fraction), initial)
+    condition = (root, dt, initial, fuel_fraction)  # the root is named after the whole aircraft
+    if condition not in _HELD:
+        _check_hold(aircraft, _trim(aircraft, root, dt, initial, fuel_fraction), initial)
+        _HELD.add(condition)
     return _trim(aircraft, root, dt, initial, fuel_fraction, output)  # the same, at time zero
 
 

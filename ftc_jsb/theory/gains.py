@@ -75,6 +75,18 @@ def given_gains(a: Array, b: Array, k: Array, q: Array | None = None) -> Gains:
     return Gains(k, np.asarray((h + h.T) / 2.0, dtype=np.float64), q)
 
 
+def decaying_gains(a: Array, b: Array, k: Array, rate: float) -> Gains:
+    """A given K, with H and Q of (19) such that V decays at 2 `rate` at least: H^-1 Q >= 2 rate.
+
+    H solves (19) for A - B K + rate I and the identity, and Q is what (19) then has for A - B K.
+
+    Raises:
+        TheoryError: A - B K has an eigenvalue whose real part is not below -rate.
+    """
+    shifted = given_gains(a + rate * np.eye(len(a)), b, k)
+    return given_gains(a, b, k, shifted.q + 2.0 * rate * shifted.h)
+
+
 def _positive(name: str, matrix: Array) -> None:
     matrix = np.asarray(matrix, dtype=float)
     if not np.allclose(matrix, matrix.T):

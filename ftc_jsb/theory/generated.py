@@ -1,18 +1,32 @@
-"""Kernels generated from a linearization: SymPy expressions become Numba functions on plain arrays."""
+"""Kernels generated from a linearization: SymPy expressions become Numba functions on plain arrays.
+
+A system's functions are written as a module `system.py` beside a copy of `theory/kernels/`, and the
+folder is imported as a package of its own. So each system has the whole loop compiled for its sizes,
+and Numba finds it on the disk in the next process.
+"""
 
 import hashlib
 import importlib.util
+import shutil
 import sys
+import tempfile
 from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
 
 from ftc_jsb.compiled import kernel_cache
+from ftc_jsb.errors import TheoryError
 from ftc_jsb.theory.linearization import Linearization
+from ftc_jsb.theory.system import System
 
+Array = npt.NDArray[np.float64]
 Kernel = Callable[..., Any]
+TEMPLATE = Path(__file__).parent / "kernels"
 
 
 class Kernels(NamedTuple):
@@ -22,65 +36,195 @@ class Kernels(NamedTuple):
     """
 
     dynamics: Kernel  # (x, u, k, p, out (states,)): F(x, u, k) of (2)
-    outputs: Kernel  # (x, p, out (inputs,)): h(x)
+    outputs: Kernel  # (x, p, out (measured,)): what is measured
     chain: Kernel  # (x, k, p, out (order,)): the x of (15)
-    law_terms: Kernel  # (x, u_n, k, p, drift (n,), gain (n, n)): script F and G of (14)
+    law_terms: Kernel  # (x, u_n, k, p, drift (n,), gain (n, m)): script F and G of (14)
     trim_gain: Kernel  # (x, u_n, k, p, out (states, inputs)): g of (6)
-    parameters: Any  # (parameters,) default values
+    propagate: Kernel  # `kernels/discrete_model.py`
+    estimate: Kernel  # `kernels/joint_filter.py`
+    law: Kernel  # `kernels/law.py`
+    run: Kernel  # `kernels/closed_loop.py`
+    package: str  # that holds them
+    scratch: int  # length of the law's working space
+    parameters: Array  # (parameters,)
+    plant_parameters: Array
 
 
-def generate(linearization: Linearization) -> Kernels:
-    """Write, import and compile the kernels of a system; the source lives in the kernel cache."""
-    source = _source(linearization)
-    name = f"{linearization.system.name}_{hashlib.sha256(source.encode()).hexdigest()[:12]}"
-    folder = kernel_cache(__name__) / "generated"
-    folder.mkdir(exist_ok=True)
-    path = folder / f"{name}.py"
-    if not path.is_file():
-        part = folder / f"{name}.{id(source)}.part"
-        part.write_text(source, encoding="utf-8")
-        part.replace(path)
-    module_name = f"ftc_jsb_generated_{name}"
-    spec = importlib.util.spec_from_file_location(module_name, path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[module_name] = module  # Numba's disk cache looks for it there
-    spec.loader.exec_module(module)
+def generate(linearization: Linearization, plant: System | None = None) -> Kernels:
+    """Write and import the kernels of a system; they compile when they are first called.
+
+    Args:
+        linearization: of the model that law and filter have.
+        plant: what they fly, if it is another system; its first states are those of the model.
+
+    Raises:
+        TheoryError: a plant that does not fit the model.
+    """
+    if plant is not None:
+        _check_plant(linearization.system, plant)
+    source = _source(linearization, plant)
+    package = _imported(linearization.system.name, source)
+    flown = plant or linearization.system
+    return imported_kernels(package, _values(linearization.system), _values(flown))
+
+
+def imported_kernels(package: str, parameters: Array, plant_parameters: Array) -> Kernels:
+    """Kernels of a package that `generate` has written.
+
+    Args:
+        package: its name.
+        parameters: (parameters,), of the model.
+        plant_parameters: likewise.
+
+    Raises:
+        ImportError: it is not there.
+    """
+    if package not in sys.modules:
+        folder = kernel_cache(__name__) / "generated" / package
+        if not (folder / "system.py").is_file():
+            raise ImportError(package)
+        sys.modules[package] = _package(package, folder)
+    parts = {
+        name: importlib.import_module(f"{package}.{name}")
+        for name in ("system", "discrete_model", "joint_filter", "law", "closed_loop")
+    }
+    system = parts["system"]
     return Kernels(
-        module.dynamics,
-        module.outputs,
-        module.chain,
-        module.law_terms,
-        module.trim_gain,
-        np.array(list(linearization.system.parameters.values()), dtype=float),
+        system.dynamics,
+        system.outputs,
+        system.chain,
+        system.law_terms,
+        system.trim_gain,
+        parts["discrete_model"].propagate,
+        parts["joint_filter"].estimate,
+        parts["law"].law,
+        parts["closed_loop"].run,
+        package,
+        parts["law"].SCRATCH,
+        parameters,
+        plant_parameters,
     )
 
 
-def _source(linearization: Linearization) -> str:
+def _values(system: System) -> Array:
+    return np.array(list(system.parameters.values()), dtype=float)
+
+
+def _imported(name: str, source: str) -> str:
+    """Name of the imported package that holds a system's source and the kernels."""
+    digest = hashlib.sha256(source.encode())
+    for file in sorted(TEMPLATE.glob("*.py")):
+        digest.update(file.read_bytes())
+    package = f"ftc_jsb_{_identifier(name)}_{digest.hexdigest()[:12]}"
+    if package in sys.modules:
+        return package
+    root = kernel_cache(__name__) / "generated"
+    folder = root / package
+    if not (folder / "system.py").is_file():
+        root.mkdir(exist_ok=True)
+        part = Path(tempfile.mkdtemp(dir=root))
+        for file in TEMPLATE.glob("*.py"):
+            shutil.copy(file, part)
+        (part / "system.py").write_text(source, encoding="utf-8")
+        try:
+            part.replace(folder)
+        except OSError:  # another process was faster
+            shutil.rmtree(part)
+    sys.modules[package] = _package(package, folder)
+    return package
+
+
+def _package(name: str, folder: Path) -> ModuleType:
+    path = folder / "__init__.py"
+    spec = importlib.util.spec_from_file_location(
+        name, path, submodule_search_locations=[str(folder)]
+    )
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def _identifier(name: str) -> str:
+    return "".join(letter if letter.isalnum() else "_" for letter in name)
+
+
+def _check_plant(model: System, plant: System) -> None:
+    """Whether a plant has what the loop gives and takes."""
+    names = {
+        "inputs": (model.inputs, plant.inputs),
+        "number of outputs": (len(model.outputs), len(plant.outputs)),
+        "number of measured": (len(model.measured), len(plant.measured)),
+        "first states": (model.states, plant.states[: len(model.states)]),
+    }
+    for name, (expected, found) in names.items():
+        if expected != found:
+            raise TheoryError(f"plant {plant.name!r}: {name} {found}; the model has {expected}")
+
+
+def _plant_chain(linearization: Linearization, plant: System) -> sp.Matrix:
+    """As many derivatives of the plant's outputs as the model's chain has.
+
+    Raises:
+        TheoryError: an input of the plant is in one of them.
+    """
+    chain = []
+    for output, index in zip(plant.outputs, linearization.index, strict=True):
+        derivative = sp.sympify(output)
+        for _ in range(index):
+            chain.append(derivative)
+            derivative = (
+                sp.Matrix([derivative]).jacobian(list(plant.states)) * sp.Matrix(plant.dynamics)
+            )[0]
+        if chain[-1].free_symbols & set(plant.inputs):
+            raise TheoryError(
+                f"plant {plant.name!r}: an input reaches output {output} in fewer derivatives than in "
+                f"the model, which has index {index}"
+            )
+    return sp.Matrix(chain)
+
+
+def _source(linearization: Linearization, plant: System | None) -> str:
     system, approximation = linearization.system, linearization.approximation
-    x = ("x", system.states)
-    u = ("u", system.inputs)
+    x, p = ("x", system.states), ("p", tuple(system.parameters))
+    u, k = ("u", system.inputs), ("k", system.effectiveness)
     trim = ("u_n", approximation.trim)
-    k = ("k", system.effectiveness)
-    p = ("p", tuple(system.parameters))
+    terms = (("drift", linearization.drift), ("gain", linearization.gain))
     functions = [
         _function("dynamics", (x, u, k, p), (("out", system.faulty_dynamics),)),
-        _function("outputs", (x, p), (("out", sp.Matrix(system.outputs)),)),
+        _function("outputs", (x, p), (("out", sp.Matrix(system.measured)),)),
         _function("chain", (x, k, p), (("out", linearization.chain),)),
-        _function(
-            "law_terms",
-            (x, trim, k, p),
-            (("drift", linearization.drift), ("gain", linearization.gain)),
-        ),
+        _function("law_terms", (x, trim, k, p), terms),
         _function("trim_gain", (x, trim, k, p), (("out", approximation.g),)),
     ]
+    functions += _plant_functions(linearization, plant)
+    flown = plant or system
+    sizes = (system.states, flown.states, system.inputs, system.outputs, system.measured)
+    counts = ", ".join([*(str(len(size)) for size in sizes), str(linearization.order)])
+    fallible = tuple(system.inputs.index(symbol) for symbol in system.fallible)
     header = [
         f'"""Generated from the system {system.name!r}; see ftc_jsb/theory/generated.py."""',
         "import math",
         "from ftc_jsb.compiled import compiled",
+        f"STATES, PLANT_STATES, INPUTS, OUTPUTS, MEASURED, ORDER = {counts}",
+        f"FALLIBLE = {fallible}",
     ]
     return "\n".join([*header, *functions]) + "\n"
+
+
+def _plant_functions(linearization: Linearization, plant: System | None) -> list[str]:
+    if plant is None:
+        pairs = ("dynamics", "outputs", "chain")
+        return ["\n".join(["", "", *(f"plant_{name} = {name}" for name in pairs)])]
+    x, p = ("x", plant.states), ("p", tuple(plant.parameters))
+    u, k = ("u", plant.inputs), ("k", plant.effectiveness)
+    chain = _plant_chain(linearization, plant)
+    return [
+        _function("plant_dynamics", (x, u, k, p), (("out", plant.faulty_dynamics),)),
+        _function("plant_outputs", (x, p), (("out", sp.Matrix(plant.measured)),)),
+        _function("plant_chain", (x, k, p), (("out", chain),)),
+    ]
 
 
 def _function(
@@ -96,7 +240,7 @@ def _function(
             local = sp.Symbol(f"{array}{position}_", real=True)
             plain[symbol] = local
             unpacking.append(f"    {local} = {array}[{position}]")
-    matrices = [matrix.subs(plain, simultaneous=True) for _, matrix in results]
+    matrices = [matrix.xreplace(plain) for _, matrix in results]
     shared, reduced = sp.cse(matrices, symbols=sp.numbered_symbols("t", real=True))
     printer = sp.printing.pycode
     body = [f"    {symbol} = {printer(value)}" for symbol, value in shared]

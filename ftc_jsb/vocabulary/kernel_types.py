@@ -14,6 +14,7 @@ WindRecord = Any  # `disturbance.wind.WIND`
 FaultRecords = Any  # (n,) `disturbance.faults.FAULT`
 LoopSettings = Any  # `control.records.LOOP_SETTINGS`
 LoopState = Any  # `control.records.LOOP_STATE`
+Observer = Any  # `control.records.OBSERVER`
 Filter = Any  # `estimation.process.FILTER`
 Vector = Any  # (n,) of floats
 Matrix = Any  # (n, m) of floats

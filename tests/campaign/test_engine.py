@@ -16,7 +16,7 @@ from ftc_jsb.campaign.flights import Item, fly_items
 from ftc_jsb.campaign.load import load_campaign
 from ftc_jsb.campaign.parquet import merge, read_rows, write_rows
 from ftc_jsb.campaign.run import work_of
-from tests.campaign.campaign_files import campaign_file
+from tests.campaign.campaign_files import SMALL, campaign_file
 from tests.cli.command import assert_refused, run
 
 CASES = 240  # of two flights of 8 s: some seconds of work for two workers
@@ -41,7 +41,9 @@ def undisturbed(file: Path) -> Rows:
 
 def started(file: Path, out: Path, *options: str) -> subprocess.Popen[str]:
     command = [sys.executable, "-m", "ftc_jsb", "campaign", str(file), "--out", str(out), *options]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    return subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
 
 
 def wait_for(condition: Any, seconds: float = 90.0) -> None:
@@ -66,13 +68,22 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
     subprocess.run(["umount", "-l", str(disk)], check=True)
 
 
-def test_killed_then_out_of_disk_then_resumed(
+def test_stopped_killed_out_of_disk_then_resumed(
     file: Path, undisturbed: Rows, small_disk: Path
 ) -> None:
     """Kill -9 of the client, a full disk, Ctrl-C's place: no finished batch is lost or flown again."""
     out = small_disk / "out"
     client = started(file, out, "--workers", "2")
-    wait_for(lambda: len(batches(out)) >= 3)
+    wait_for(lambda: len(batches(out)) >= 2)
+    os.killpg(client.pid, signal.SIGINT)  # as a terminal does: the workers get it, too
+    _, said = client.communicate(timeout=60)
+    assert client.returncode == 130, said
+    assert "--resume" in said
+    assert "Traceback" not in said
+
+    client = started(file, out, "--workers", "2", "--resume")
+    there = len(batches(out))
+    wait_for(lambda: len(batches(out)) >= there + 2)
     client.kill()
     client.communicate()
     before = batches(out)
@@ -153,3 +164,19 @@ def test_no_scheduler_there_is_one_sentence(file: Path, tmp_path: Path) -> None:
         "campaign", str(file), "--out", "o", "--scheduler", "tcp://127.0.0.1:9", cwd=tmp_path
     )
     assert_refused(result, "no Dask scheduler answers")
+
+
+def test_a_case_that_kills_its_process_is_a_row(tmp_path: Path) -> None:
+    """As JSBSim might by a fault of its own: the case says so, the others fly."""
+    text = SMALL.split("[[dispersion]]")[0].replace("cases = 12", 'sampling = "grid"')
+    text = text.replace('"ftc", "no-ftc"', '"tests.campaign.deadly_loop:DeadlyLoop"').replace(
+        "8.0", "1.0"
+    )
+    text += '[[dispersion]]\nkey = "loop.trim_filter"\ndistribution = "choice"\n'
+    text += "values = [40.0, 50.0, 13.0, 60.0]\n"
+    file = campaign_file(tmp_path, text)
+    client = started(file, tmp_path / "out", "--workers", "1")
+    _, said = client.communicate(timeout=200)
+    assert client.returncode == 0, said
+    errors = {row["case"]: row["error"] for row in read_rows(tmp_path / "out" / "results.parquet")}
+    assert errors == {0: None, 1: None, 2: "the process that flew it died", 3: None}

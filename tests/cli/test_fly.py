@@ -80,6 +80,7 @@ def test_ctrl_c_saves_what_was_flown_and_exits_130(tmp_path):
         [sys.executable, "-m", "ftc_jsb", "fly", "nominal", "--loop", "mine:Tells", "--out", "o",
          "--set", "duration=30000"],
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a job in the background ignores it
     )  # fmt: skip
     deadline = time.monotonic() + 90.0
     while not (tmp_path / "flying").exists() and time.monotonic() < deadline:

@@ -30,7 +30,29 @@ def test_measurement_noise_is_that_of_the_instruments():
     r = covariances(suite, 0.01)
     assert r.measurement[0] == pytest.approx(2 * 0.3**2)
     assert r.measurement[1] == pytest.approx(math.radians(0.05) ** 2)
-    assert r.acceleration == pytest.approx(9.80665**2 * (0.01**2 + math.radians(0.04) ** 2))
+    assert r.acceleration == pytest.approx(9.80665**2 * 0.01**2)
+    assert r.angles == pytest.approx((math.radians(0.04) ** 2, 0.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize(("scenario", "most"), [("paper", 0.03), ("f15", 0.4), ("t38", 0.05)])
+def test_deviation_is_a_confidence_whatever_the_instruments_are_off_by(scenario, most):
+    """Six flights, each with biases of its own: truth inside 2 sigma 90 % of the time, sigma below `most`.
+
+    Biases are the same for a whole flight, so that one flight may lie outside; the F-15's drag turns 0.1 deg
+    of sideslip vane into 0.15 of its thrust.
+    """
+    inside, deviations = [], []
+    for seed in range(11, 17):
+        record = fly(
+            load_scenario(scenario, ["model=jsbsim", f"seed={seed}", "duration=40", *DISTURBED])
+        ).record
+        use = (record["time"] > 5.0) & ((record["time"] < 20.0) | (record["time"] > 22.0))
+        error = record["effectiveness_thrust_est"] - record["effectiveness_thrust"]
+        deviation = record["effectiveness_thrust_std"]
+        inside.append(np.mean(np.abs(error[use]) < 2.0 * deviation[use]))
+        deviations.append(np.mean(deviation[use]))
+    assert np.mean(inside) > 0.9
+    assert np.mean(deviations) < most
 
 
 def test_perfect_sensors_leave_a_filter_that_can_be_inverted():

@@ -187,13 +187,29 @@ def at_20_s(flown):
 
 
 def test_missing_measurement_is_skipped(at_20_s):
-    """A nan leaves the prediction as it is, and finite."""
-    build, x, u, y, row = at_20_s
+    """Nothing measured leaves the prediction as it is, and finite."""
+    build, x, u, _, row = at_20_s
     one, other = build(x, P0), build(x, P0)
     one.predict(u, row)
-    other.step(u, np.array([np.nan, y[1], y[2]]), row)
+    other.step(u, np.full(3, np.nan), row)
     np.testing.assert_array_equal(one.x, other.x)
     np.testing.assert_array_equal(one.p, other.p)
+
+
+@pytest.mark.parametrize("silent", [0, 1, 2])
+def test_silent_instrument_costs_itself_alone(at_20_s, silent):
+    """The others correct as if the silent one had been read with an error of 1e9: to 1e-9 of each number."""
+    build, x, u, y, row = at_20_s
+    noise = np.diag(R).copy()
+    noise[silent] = 1e18
+    one, other = build(x, P0), build(x, P0)
+    y = y + np.array([0.5, 0.01, 0.01])
+    one.predict(u, row)
+    update(one.filters[0], y, noise, 0.0, 0, 0.0)
+    y[silent] = np.nan
+    other.step(u, y, row)
+    np.testing.assert_allclose(other.x, one.x, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(other.p, one.p, rtol=1e-6, atol=1e-15)
 
 
 def test_gate_lets_one_outlier_pass_by_and_follows_a_jump(at_20_s):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ftc_jsb.errors import TheoryError
-from ftc_jsb.theory.gains import given_gains, lqr_gains, placed_gains
+from ftc_jsb.theory.gains import decaying_gains, given_gains, lqr_gains, placed_gains
 
 A = np.array([[0.0, 1.0], [0.0, 0.0]])
 B = np.array([[0.0], [1.0]])
@@ -43,6 +43,16 @@ def test_gain_of_the_paper_has_h_of_one_half():
 def test_unusable_gain_is_refused_with_its_reason(k, q, says):
     with pytest.raises(TheoryError, match=says):
         given_gains(A, B, np.array(k), None if q is None else np.array(q))
+
+
+def test_decaying_gains_solve_19_and_decay_as_told():
+    """Poles -20 and -30: the least eigenvalue of H^-1 Q is at least 2 x 16."""
+    gains = decaying_gains(A, B, np.array([[600.0, 50.0]]), 16.0)
+    closed = A - B @ gains.k
+    np.testing.assert_allclose(
+        closed.T @ gains.h + gains.h @ closed, -gains.q, atol=1e-9 * np.abs(gains.q).max()
+    )
+    assert np.linalg.eigvals(np.linalg.solve(gains.h, gains.q)).real.min() >= 32.0
 
 
 def test_poles_that_cannot_be_placed_are_refused():

@@ -1,24 +1,32 @@
 """The fighter's hand-written kernels are instances of the general theory: equal to 1e-12."""
 
 import numpy as np
-import pytest
+import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.point_mass.dynamics import velocity
-from ftc_jsb.theory.approximation import estimate_bounds
 from ftc_jsb.theory.generated import generate
-from ftc_jsb.theory.law import SOLVED, Reference, make_law
+from ftc_jsb.theory.kernels.law import SOLVED, Reference, Tuning
 from ftc_jsb.theory.linearization import linearize
-from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity, textbook_plant
+from ftc_jsb.theory.system import System
+from ftc_jsb.theory.systems import fighter_by_position, fighter_by_velocity
 from tests.point_mass.models import PAPER, law, rates
 
 VELOCITY = generate(linearize(fighter_by_velocity()))
 POSITION = generate(linearize(fighter_by_position()))
-LAW = make_law(VELOCITY)
-PATH_LAW = make_law(POSITION)
+SIZES = np.array([1e5, 5.0, 1.0])  # N, 1, rad
+
+
+def general_law(kernels, x, u_n, k, reference, gain):
+    """The command, and the status."""
+    u, tuning = np.zeros(3), Tuning(gain, SIZES, u_n)
+    scratch = np.zeros(kernels.scratch)
+    status = kernels.law(x, u_n, k, kernels.parameters, reference, tuning, scratch, u)
+    return u, status
+
 
 state = st.tuples(st.floats(150.0, 400.0), st.floats(-1.0, 1.0), st.floats(-3.0, 3.0)).map(np.array)
 trim = st.tuples(st.floats(0.0, 110e3), st.floats(0.3, 6.0), st.floats(-1.4, 1.4)).map(np.array)
@@ -53,10 +61,7 @@ def test_drift_and_gain_of_14_are_the_flying_ones(x, u, k):
 @given(x=state, u=trim, k=factors, w=wanted)
 def test_general_law_is_the_flying_law(x, u, k, w):
     """(20) by elimination of the generated G, and in closed form: 1e-12 of each command's step."""
-    general = np.zeros(3)
-    status = LAW(
-        x, u, k, VELOCITY.parameters, Reference(x.copy(), w), np.eye(3), np.zeros(12), general
-    )
+    general, status = general_law(VELOCITY, x, u, k, Reference(x.copy(), w), np.eye(3))
     assert status == SOLVED
     flying = np.array(law(PAPER, x[0], 3048.0, x[1], u, k, w))
     scale = np.abs(u) + np.abs(general - u) + np.array([1e3, 1.0, 1.0])
@@ -76,11 +81,8 @@ def test_path_loop_is_the_general_law_for_y_position(x, u, k, w, e):
     moving = velocity(*x)
     chain = np.array([100.0, moving[0], 200.0, moving[1], 3048.0, moving[2]])
     reference = chain - e
-    general = np.zeros(3)
     demanded = 10.0 * w
-    status = PATH_LAW(
-        full, u, k, POSITION.parameters, Reference(reference, demanded), gain, np.zeros(15), general
-    )
+    general, status = general_law(POSITION, full, u, k, Reference(reference, demanded), gain)
     assert status == SOLVED
     total = demanded - gain @ e
     asked = _rates_of(x[0], x[1], x[2], *total)
@@ -100,31 +102,27 @@ def test_singular_gain_is_told_with_its_input():
     """At n = 0 the bank angle moves nothing: no pivot for input 2."""
     u = np.array([40e3, 0.0, 0.3])
     x = np.array([300.0, 0.0, 0.0])
-    status = LAW(
-        x, u, np.ones(3), VELOCITY.parameters, Reference(x, x), np.eye(3), np.zeros(12), np.zeros(3)
-    )
+    _, status = general_law(VELOCITY, x, u, np.ones(3), Reference(x, x), np.eye(3))
     assert status == 2
 
 
-def test_remainder_is_within_its_bound_over_a_box():
-    """Proposition 4: ||O|| <= L_2 ||u - u_n|| on every sample, L_2 = L_1 + g_M from other samples."""
-    kernels = generate(linearize(textbook_plant()))
-    one = np.ones(1)
+def test_step_that_no_input_can_make_is_singular():
+    """1e-30 u for a rate of 1: the step would be 1e30, and one pivot says nothing about its own size."""
+    x, u = sp.symbols("x u", real=True)
+    weak = generate(linearize(System("weak", (x,), (u,), {}, (sp.Rational(1, 10**30) * u,), (x,))))
+    one, command = np.ones(1), np.zeros(1)
+    arguments = (np.zeros(1), np.zeros(1), one, weak.parameters, Reference(one, one))
+    tuning = Tuning(np.ones((1, 1)), one, np.zeros(1))
+    assert weak.law(*arguments, tuning, np.zeros(weak.scratch), command) == 0
+    assert abs(command[0]) > 1e29
 
-    def dynamics(x, u):
-        out = np.zeros(2)
-        kernels.dynamics(x, u, one, kernels.parameters, out)
-        return out
 
-    def gain(x, u):
-        out = np.zeros((2, 1))
-        kernels.trim_gain(x, u, one, kernels.parameters, out)
-        return out
-
-    low, high = np.array([-1.0, -1.0, -2.0]), np.array([1.0, 1.0, 2.0])
-    bounds = estimate_bounds(dynamics, gain, low, high, inputs=1)
-    assert bounds.remainder == pytest.approx(bounds.lipschitz + bounds.gain)
-    other = estimate_bounds(dynamics, gain, low, high, inputs=1, seed=1)
-    assert 0.0 < other.remainder_found <= bounds.remainder
-    # by hand: |dF/du| <= 0.45 u^2 + 0.1 (1 + x2^2) + 0.1 over the box
-    assert bounds.gain == pytest.approx(0.45 * 4 + 0.2 + 0.1, rel=0.02)
+def test_allocation_takes_the_least_step_that_does_it():
+    """X' = u + 3 w: u + 3 w is what is demanded, shared as 1 to 3, and away from the preferred inputs."""
+    x, u, w = sp.symbols("x u w", real=True)
+    shared = generate(linearize(System("shared", (x,), (u, w), {}, (u + 3 * w,), (x,))))
+    preferred, command, one = np.array([1.0, 0.0]), np.zeros(2), np.ones(1)
+    arguments = (np.zeros(1), np.zeros(2), np.ones(2), shared.parameters, Reference(one, one))
+    tuning = Tuning(np.ones((1, 1)), np.ones(2), preferred)
+    assert shared.law(*arguments, tuning, np.zeros(shared.scratch), command) == SOLVED
+    np.testing.assert_allclose(command, [1.1, 0.3])  # demanded: 2

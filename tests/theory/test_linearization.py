@@ -73,3 +73,39 @@ def test_affine_form_is_the_expansion_at_the_trim_input():
     assert approximation.remainder.subs(at_trim).applyfunc(sp.simplify) == sp.zeros(2, 1)
     slope = approximation.remainder.jacobian(list(u)).subs(at_trim)
     assert slope.applyfunc(sp.simplify) == sp.zeros(2, 1)
+
+
+@pytest.mark.parametrize(
+    "hidden",
+    [(U + U**3 / 10) / 5_000_000_000, (U + 0.1 * U**3) / 5e9, 5e-10 * U, sp.sin(U) * 1e-40],
+)
+def test_index_does_not_depend_on_units(hidden):
+    """A path of any size is a path: x2' in units of 5e9 has the index that it has in any other."""
+    assert linearize(system((X2, X3 + hidden, U), (X1,))).index == (2,)
+
+
+@pytest.mark.parametrize(
+    "nothing",
+    [
+        sp.sin(U) ** 2 + sp.cos(U) ** 2,
+        0.1 * U * (1 + X1) - 0.1 * U - 0.1 * U * X1,
+        (sp.exp(U) - sp.exp(-U)) / 2 - sp.sinh(U),
+        1e12 * ((1 + U) ** 2 - U**2 - 2 * U),
+    ],
+)
+def test_path_that_cancels_is_none(nothing):
+    """Identities of trigonometry, decimals and large factors: no input in x2', so index 3."""
+    assert linearize(system((X2, X3 + nothing, U), (X1,))).index == (3,)
+
+
+def test_gain_that_is_singular_everywhere_is_refused():
+    """Both outputs move by u + w only: G = [1, 1; 1, 1]."""
+    both = U + W + U**3 / 3 + W * U**2
+    with pytest.raises(TheoryError, match=r"G of .14. has rank 1 everywhere, for 2 outputs"):
+        linearize(system((both, 2 * both + X1, -X3), (X1, X2), inputs=(U, W)))
+
+
+def test_more_inputs_than_outputs_are_linearized_for_an_allocation():
+    linear = linearize(system((X2, X3 + U + W**3, -X3), (X1,), inputs=(U, W)))
+    assert linear.index == (2,)
+    assert linear.gain.shape == (1, 2)

@@ -111,7 +111,7 @@ def _findings(label: str, flight: Flight, findings: Findings) -> Columns:
         proof = findings.proofs[label]
         columns["lyapunov"], columns["lyapunov_bound"] = proof.value, proof.bound
         columns["scaled_error"] = proof.error
-        columns["ball"] = np.full(flight.record.size, proof.radius)
+        columns["ball"] = proof.predicted
     return columns
 
 

@@ -107,11 +107,14 @@ def stability_table(
         if found is None:
             continue
         at = ("flights", label, "stability")
-        keys = ("decay_rate_per_s", "disturbance", "ball_radius", "largest_error")
+        keys = (
+            "decay_rate_per_s", "disturbance", "ball_radius", "predicted_error", "largest_error",
+        )  # fmt: skip
         cells: list[Cell] = [linked_number(document, (*at, key), 2) for key in keys]
         cells.append("yes" if found["bound_obeyed"] else "no")
         rows.append((titles[label], cells))
-    head = ["λ [1/s]", "φ", "Radius of the ball", "Largest error", "V(t) below its bound"]
+    head = ["λ [1/s]", "φ", "Radius of the ball", "Largest error predicted", "Largest error"]
+    head += ["Obeys"]
     return PlainTable("", "Flight", head, rows) if rows else None
 
 

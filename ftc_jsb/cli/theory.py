@@ -1,0 +1,57 @@
+"""`ftc-jsb theory`: the paper's theory for a system of one's own."""
+
+from pathlib import Path
+
+import click
+
+from ftc_jsb.cli.exit_codes import DONE, LIMIT_BROKEN
+from ftc_jsb.cli.options import Output, examples, json_option, output_options
+from ftc_jsb.cli.printing import print_json, progress_line
+
+
+@examples("ftc-jsb theory levitator", "ftc-jsb theory my_system.py --out mine")
+@click.command()
+@click.argument("name", metavar="NAME|FILE.py")
+@click.option("--seed", type=int, default=0, show_default=True, help="Of the noise.")
+@output_options
+@json_option
+@click.pass_context
+def theory(context: click.Context, name: str, seed: int, output: Output, as_json: bool) -> None:
+    """Analyse a system, fly it with and without FTC, write theory.json, a figure and recordings.
+
+    NAME is fighter, levitator, reactor, textbook or vessel; FILE.py defines CASE (docs/theory.md).
+    """
+    from ftc_jsb.runs.metrics_file import write_metrics
+    from ftc_jsb.runs.theory import (
+        LOOPS,
+        TheoryFlight,
+        analyse,
+        document,
+        fly_case,
+        load_case,
+        write_history,
+    )
+
+    case = load_case(name)
+    flights: dict[str, TheoryFlight] = {}
+    with output.folder(f"theory-{Path(name).stem}") as folder:
+        progress_line(f"{case.title}: analysing")
+        analysis = analyse(case)
+        for loop in LOOPS:  # written as it goes: an interruption loses nothing finished
+            progress_line(f"flying {loop}; a new system is compiled first, which takes a minute")
+            flights[loop] = flight = fly_case(analysis, loop, seed)
+            if flight.history is not None:
+                write_history(case, flight.history, folder / f"{loop}.nc")
+            write_metrics(folder / "theory.json", document(analysis, flights))
+        from ftc_jsb.report.figures.style import save
+        from ftc_jsb.report.figures.theory import theory_figure
+        from ftc_jsb.report.terminal.theory import theory_lines
+
+        save(theory_figure(analysis, flights), folder, "theory")
+    if as_json:
+        print_json(document(analysis, flights))
+    else:
+        for line in theory_lines(analysis, flights):
+            click.echo(line)
+        click.echo(f"Written: {folder / 'theory.json'}, {folder / 'theory.pdf'}, a recording each")
+    context.exit(LIMIT_BROKEN if flights["ftc"].history is None else DONE)

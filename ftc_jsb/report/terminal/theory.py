@@ -1,0 +1,45 @@
+"""A case of the theory in the terminal."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ftc_jsb.runs.theory import Analysis, TheoryFlight
+
+
+def theory_lines(analysis: Analysis, flights: dict[str, TheoryFlight]) -> Iterator[str]:
+    """Index, F, G, zero dynamics, constants and gains; then a line for each flight."""
+    linear, found = analysis.linearization, analysis.bounds
+    yield analysis.case.title
+    yield f"index of each output: {', '.join(map(str, linear.index))}"
+    for row, element in enumerate(linear.drift):
+        yield f"F[{row}] = {element}"
+    for row in range(linear.gain.rows):
+        yield f"G[{row}] = [{', '.join(map(str, linear.gain[row, :]))}]"
+    zeros = analysis.zero_dynamics
+    at = ", ".join(f"{zero:.3g}" for zero in zeros.zeros)
+    yield f"zero dynamics at the start: {zeros.verdict}{f', zeros {at}' if at else ''}"
+    yield (
+        f"over the ranges: g_M = L_1 {found.gain}, L_2 {found.remainder}, M {found.curvature} "
+        "(||O|| <= M/2 ||u - u_n||^2)"
+    )
+    for words in found.unbounded:
+        yield f"Assumption 2 and Proposition 4 fail for inputs without limit: {words}"
+    yield f"K = {np.array2string(analysis.loop.gains.k, precision=4, separator=', ')}"
+    for name, flight in flights.items():
+        yield f"{name}: {_flight_words(flight)}"
+
+
+def _flight_words(flight: TheoryFlight) -> str:
+    if flight.history is None:
+        return flight.problem
+    largest = np.array2string(np.abs(flight.history.error).max(axis=0), precision=3)
+    words = f"largest |e| {largest}"
+    if flight.proof is None:
+        return f"{words}; the plant is not the model, so no bound is predicted"
+    if flight.proof.obeyed:
+        return (
+            f"{words}; V below its bound, ||e|| predicted within {flight.proof.predicted.max():.3g}"
+        )
+    reasons = [*flight.proof.broken, *([] if flight.proof.below else ["V exceeds its bound"])]
+    return f"{words}; outside the proof: {'; '.join(reasons)}"
