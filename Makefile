@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 STATIONS := $(VENV)/.stations
 
-.PHONY: demo test coverage stations-full bench validate hostile inner-loops lint format golden clean
+.PHONY: demo test coverage stations-full bench validate hostile inner-loops lint format schema golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
@@ -52,6 +52,10 @@ format: $(READY)
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
+schema: $(READY)  ## Write the JSON Schemas that the shipped files name
+	$(BIN)/ftc-jsb schema scenario > scenarios/schema/scenario.json
+	$(BIN)/ftc-jsb schema campaign > scenarios/schema/campaign.json
+
 golden: $(READY)  ## Rewrite the golden flights and figures; say why in the commit
 	$(BIN)/pytest -n 0 tests/regression tests/report/test_figures.py --rewrite-golden
 
@@ -59,7 +63,10 @@ $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "ftc-jsb needs Python 3.11 or later; try make PYTHON=python3.12")'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade pip --constraint constraints.txt
-	$(BIN)/python -m pip install --quiet --editable ".[dev]" --constraint constraints.txt
+	$(BIN)/python -m pip install --quiet --editable . --constraint constraints.txt
+	# The kernels are compiled while the tools of developers are fetched.
+	PYTHONPATH=$(CURDIR) $(BIN)/python -m ftc_jsb warm & \
+	$(BIN)/python -m pip install --quiet --editable ".[dev]" --constraint constraints.txt; status=$$?; wait; exit $$status
 	touch $@
 
 # MAVProxy's own requirements include its maps' vtk and opencv; what it needs besides is in the extra.

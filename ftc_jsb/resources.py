@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from ftc_jsb.errors import AircraftError
+from ftc_jsb.suggestion import did_you_mean
 
 PAPER_AIRCRAFT = "paper"  # the aircraft of the model `paper`
 _PACKAGE = Path(__file__).parent
@@ -25,7 +26,7 @@ def aircraft_folder(name: str) -> Path:
         return folder
     known = ", ".join(aircraft_names())
     raise AircraftError(
-        f"aircraft.name: no aircraft {name!r}; expected one of {known}, "
+        f"aircraft.name: no aircraft {name!r}{did_you_mean(name, aircraft_names())}; expected one of {known}, "
         "or the path of a folder (./mine) that holds point_mass.toml; `ftc-jsb inner-loop` makes one of an "
         "aircraft of the jsbsim package"
     )

@@ -10,7 +10,7 @@ from pydantic import Field, ValidationError, model_validator
 from ftc_jsb.aircraft.airplane_class import AirplaneClass
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.resources import aircraft_folder
-from ftc_jsb.typed_file import Section, first_problem
+from ftc_jsb.typed_file import Section, every_problem
 
 _Name = Annotated[str, Field(min_length=1, max_length=200)]
 _Value = Annotated[float, Field(ge=-1e9, le=1e9)]
@@ -143,4 +143,4 @@ def _read(path: Path, stamp: tuple[int, ...]) -> Aircraft:
     except tomllib.TOMLDecodeError as error:
         raise AircraftError(f"{path}: not TOML: {error}") from None
     except ValidationError as error:
-        raise AircraftError(f"{path}: {first_problem(error, Aircraft)}") from None
+        raise AircraftError(f"{path}: {every_problem(error, Aircraft)}") from None

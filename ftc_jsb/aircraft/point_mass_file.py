@@ -15,7 +15,7 @@ from ftc_jsb.aircraft.point_mass_aerodynamics import Aerodynamics, MeasuredDrag
 from ftc_jsb.aircraft.point_mass_record import model_record
 from ftc_jsb.aircraft.point_mass_thrust import Thrust
 from ftc_jsb.errors import AircraftError
-from ftc_jsb.typed_file import Section, first_problem
+from ftc_jsb.typed_file import Section, every_problem
 
 
 class Mass(Section):
@@ -120,7 +120,7 @@ def _read(path: Path, stamp: tuple[int, ...]) -> PointMass:
     except tomllib.TOMLDecodeError as error:
         raise AircraftError(f"{path}: not TOML: {error}") from None
     except ValidationError as error:
-        raise AircraftError(f"{path}: {first_problem(error, PointMass)}") from None
+        raise AircraftError(f"{path}: {every_problem(error, PointMass)}") from None
     _check_whose(path, point_mass)
     return point_mass
 

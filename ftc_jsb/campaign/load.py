@@ -18,7 +18,7 @@ from ftc_jsb.resources import shipped
 from ftc_jsb.scenario.load import load_scenario, parse_scenario, scenario_names, scenario_toml
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import refuse_unflyable
-from ftc_jsb.typed_file import first_problem
+from ftc_jsb.typed_file import every_problem
 
 FILE, SCENARIOS = "campaign.toml", "scenarios"  # in the folder of a campaign
 _TRIALS = 64  # values of a choice, and cases, that are looked at before anything is flown
@@ -49,7 +49,7 @@ def load_campaign(name: str) -> Bases:
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"{path}: not TOML: {error}") from None
     except ValidationError as error:
-        raise ScenarioError(f"{path}: {first_problem(error, Campaign)}") from None
+        raise ScenarioError(f"{path}: {every_problem(error, Campaign)}") from None
     scenarios = tuple(_base(path, entry) for entry in campaign.scenarios)
     bases = Bases(campaign, scenarios)
     _try_dispersions(bases, str(path))

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from ftc_jsb.cli.printing import message, progress_line
+from ftc_jsb.cli import printing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -15,7 +15,7 @@ def note(scenario: "Scenario") -> None:
     from ftc_jsb.scenario.notes import notes
 
     for text in notes(scenario):
-        message(f"note: {text}")
+        printing.note(text)
 
 
 def announce(scenario: "Scenario", overrides: "Sequence[str]" = (), compared: bool = False) -> None:
@@ -40,12 +40,13 @@ def _unused(scenario: "Scenario", overrides: "Sequence[str]", compared: bool) ->
         models = list(scenario.compare.models)
         loops = [scenario.loop.model_copy(update={"name": n}) for n in scenario.compare.loops]
     for text in unused_keys(overrides, models, loops):
-        message(f"note: {text}")
+        printing.note(text)
 
 
 def compiling() -> None:
-    """Say that kernels will be compiled, if they have yet to be."""
-    from ftc_jsb.compiled import is_first_run
+    """Compile the kernels if they have yet to be, and say so."""
+    from ftc_jsb.warm import is_cold, warm
 
-    if is_first_run("ftc_jsb.simulation.sample"):
-        progress_line("Compiling the numerical kernels (first run only, about half a minute) ...")
+    if is_cold():
+        printing.progress_line("First run: the numerical kernels are compiled, once.")
+        warm(printing.progress_line)

@@ -2,10 +2,13 @@
 
 import click
 
-from ftc_jsb.cli.options import json_option
+from ftc_jsb.cli.options import examples, json_option
 from ftc_jsb.cli.printing import print_json, progress_line
 
 
+@examples(
+    "ftc-jsb bench --json",
+)
 @click.command()
 @json_option
 def bench(as_json: bool) -> None:

@@ -6,7 +6,8 @@ from typing import Any
 
 import click
 
-from ftc_jsb.cli.options import force_option
+from ftc_jsb.cli.completed_names import campaigns
+from ftc_jsb.cli.options import examples, force_option
 from ftc_jsb.cli.printing import message
 
 
@@ -26,6 +27,12 @@ class _FileOrVerb(click.Group):
         return super().parse_args(ctx, args)
 
 
+@examples(
+    "ftc-jsb campaign smoke --dry-run",
+    "ftc-jsb campaign robustness --out robust --workers 8",
+    "ftc-jsb campaign robustness --out robust --resume",
+    "ftc-jsb campaign rerun robust --case 17",
+)
 @click.group(cls=_FileOrVerb, subcommand_metavar="FILE [OPTIONS] | rerun DIR | report DIR")
 def campaign() -> None:
     """Fly the campaign FILE; or `rerun` one case of DIR, or make the `report` of DIR again.
@@ -35,7 +42,7 @@ def campaign() -> None:
 
 
 @campaign.command(hidden=True)
-@click.argument("file", metavar="FILE")
+@click.argument("file", metavar="FILE", shell_complete=campaigns)
 @click.option(
     "--out", metavar="DIR", type=click.Path(path_type=Path), help="Folder for the results."
 )

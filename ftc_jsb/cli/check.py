@@ -3,9 +3,12 @@
 import click
 
 from ftc_jsb.cli.announcement import note
-from ftc_jsb.cli.options import code_option, scenario_argument, set_option
+from ftc_jsb.cli.options import code_option, examples, scenario_argument, set_option
 
 
+@examples(
+    "ftc-jsb check my.toml",
+)
 @click.command()
 @scenario_argument
 @set_option

@@ -10,6 +10,7 @@ from ftc_jsb.cli.exit_codes import INTERRUPTED
 from ftc_jsb.cli.options import (
     Output,
     code_option,
+    examples,
     json_option,
     margins_option,
     output_options,
@@ -19,6 +20,10 @@ from ftc_jsb.cli.options import (
 from ftc_jsb.cli.written_report import write_and_print
 
 
+@examples(
+    "ftc-jsb compare paper",
+    "ftc-jsb compare turbulence --set 'compare.models=[\"jsbsim\"]' --out gusts",
+)
 @click.command()
 @scenario_argument
 @set_option

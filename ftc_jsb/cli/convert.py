@@ -4,9 +4,13 @@ from pathlib import Path
 
 import click
 
-from ftc_jsb.cli.options import recording_argument
+from ftc_jsb.cli.options import examples, recording_argument
 
 
+@examples(
+    "ftc-jsb convert flight.nc --to csv",
+    "ftc-jsb convert flight.nc --to acmi --out tacview.acmi",
+)
 @click.command()
 @recording_argument
 @click.option(

@@ -4,9 +4,12 @@ from pathlib import Path
 
 import click
 
-from ftc_jsb.cli.options import aircraft_argument, force_option
+from ftc_jsb.cli.options import aircraft_argument, examples, force_option
 
 
+@examples(
+    "ftc-jsb export f16 my-f16",
+)
 @click.command()
 @aircraft_argument
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))

@@ -6,10 +6,13 @@ from pathlib import Path
 import click
 
 from ftc_jsb.cli.exit_codes import BAD_USAGE
-from ftc_jsb.cli.options import Output, output_options, recordings_argument
+from ftc_jsb.cli.options import Output, examples, output_options, recordings_argument
 from ftc_jsb.cli.printing import message
 
 
+@examples(
+    "ftc-jsb figures out/paper/flight.nc --out figures",
+)
 @click.command()
 @recordings_argument
 @output_options

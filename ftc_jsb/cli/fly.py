@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 from ftc_jsb.cli.announcement import announce
+from ftc_jsb.cli.completed_names import loops
 from ftc_jsb.cli.exit_codes import BAD_USAGE, DONE, INTERRUPTED, LIMIT_BROKEN
 from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
 from ftc_jsb.cli.options import (
     MODELS,
     Output,
     code_option,
+    examples,
     json_option,
     output_options,
     scenario_argument,
@@ -28,10 +30,20 @@ if TYPE_CHECKING:
     from ftc_jsb.simulation.fly import Observer
 
 
+@examples(
+    "ftc-jsb fly paper --model jsbsim --loop no-ftc",
+    "ftc-jsb fly severe --set 'fault[0].effectiveness=0.5' --out my-flight",
+    "ftc-jsb fly paper --realtime --mavlink udpout:127.0.0.1:14550",
+)
 @click.command()
 @scenario_argument
 @click.option("--model", type=MODELS, help="What is flown.")
-@click.option("--loop", metavar="NAME", help="Outer loop: a name, or package.module:Class.")
+@click.option(
+    "--loop",
+    metavar="NAME",
+    shell_complete=loops,
+    help="Outer loop: a name, or package.module:Class.",
+)
 @click.option(
     "--flightgear", metavar="HOST:PORT", help="Show the flight in FlightGear, in real time."
 )
@@ -77,7 +89,7 @@ def fly(
     for line in beside.summary() if beside is not None else ():
         message(line)
     if as_json:
-        print_json(result.document)
+        print_json({**result.document, "recording": str(folder / "flight.nc")})
     else:
         from ftc_jsb.report.terminal.flights import print_flights
 

@@ -5,10 +5,13 @@ import sys
 import click
 
 from ftc_jsb.cli.exit_codes import DONE, LIMIT_BROKEN
-from ftc_jsb.cli.options import Output, aircraft_argument, output_options
+from ftc_jsb.cli.options import Output, aircraft_argument, examples, output_options
 from ftc_jsb.cli.printing import message, progress_line
 
 
+@examples(
+    "ftc-jsb identify f16 --out my-f16",
+)
 @click.command()
 @aircraft_argument
 @output_options

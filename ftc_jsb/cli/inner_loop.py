@@ -5,10 +5,14 @@ import sys
 import click
 
 from ftc_jsb.cli.exit_codes import DONE, LIMIT_BROKEN
-from ftc_jsb.cli.options import Output, output_options
+from ftc_jsb.cli.options import Output, examples, output_options
 from ftc_jsb.cli.printing import message, progress_line
 
 
+@examples(
+    "ftc-jsb inner-loop MD11 --out md11",
+    "ftc-jsb inner-loop f16 f15 --report",
+)
 @click.command("inner-loop")
 @click.argument("aircraft", metavar="AIRCRAFT...", nargs=-1, required=True)
 @click.option("--report", "judge", is_flag=True, help="Fly and judge the steps; design nothing.")

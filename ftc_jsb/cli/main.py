@@ -10,6 +10,7 @@ from ftc_jsb.cli.bench import bench
 from ftc_jsb.cli.campaign import campaign
 from ftc_jsb.cli.check import check
 from ftc_jsb.cli.compare import compare
+from ftc_jsb.cli.completion import completion
 from ftc_jsb.cli.convert import convert
 from ftc_jsb.cli.crash_file import reported
 from ftc_jsb.cli.exit_codes import BAD_USAGE, INTERRUPTED, UNEXPECTED
@@ -20,16 +21,29 @@ from ftc_jsb.cli.identify import identify
 from ftc_jsb.cli.inner_loop import inner_loop
 from ftc_jsb.cli.inventory import list_
 from ftc_jsb.cli.margins import margins
+from ftc_jsb.cli.options import examples
 from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
+from ftc_jsb.cli.schema import schema
 from ftc_jsb.cli.theory import theory
+from ftc_jsb.cli.warm import warm
 from ftc_jsb.errors import UserError
 from ftc_jsb.interruption import ended_by_signals
+from ftc_jsb.suggestion import did_you_mean
 
 
 class _Commands(click.Group):
     """Turns every `UserError` into one sentence and exit code 2, what nobody expected into exit code 3."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Say what a misspelt command may have meant."""
+        if args and args[0] not in self.commands and not args[0].startswith("-"):
+            hint = did_you_mean(args[0], self.commands)
+            ctx.fail(f"No such command {args[0]!r}{hint or '.'}")
+        return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
@@ -51,6 +65,11 @@ class _Commands(click.Group):
             sys.exit(UNEXPECTED)
 
 
+@examples(
+    "ftc-jsb compare paper            the paper, on three models, with FTC and without",
+    "ftc-jsb fly severe --model jsbsim",
+    "ftc-jsb completion bash          completes names and keys in your shell",
+)
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(ftc_jsb.__version__, prog_name="ftc-jsb")
 def main() -> None:
@@ -61,7 +80,7 @@ def main() -> None:
 
 
 for _command in (
-    bench, campaign, check, compare, convert, export, figures, fly,
-    identify, inner_loop, list_, margins, replay, report, theory,
+    bench, campaign, check, compare, completion, convert, export, figures, fly,
+    identify, inner_loop, list_, margins, replay, report, schema, theory, warm,
 ):  # fmt: skip
     main.add_command(_command)

@@ -6,13 +6,17 @@ from typing import TYPE_CHECKING, cast
 import click
 
 from ftc_jsb.cli.announcement import announce
-from ftc_jsb.cli.options import MODELS, Output, code_option, json_option, output_options
+from ftc_jsb.cli.options import MODELS, Output, code_option, examples, json_option, output_options
 from ftc_jsb.cli.printing import print_json, progress_line
 
 if TYPE_CHECKING:
     from ftc_jsb.scenario.schema import Model
 
 
+@examples(
+    "ftc-jsb margins f16",
+    "ftc-jsb margins paper --model paper --airspeed 250",
+)
 @click.command()
 @click.argument("name", metavar="SCENARIO|AIRCRAFT")
 @click.option("--model", type=MODELS, default="jsbsim", show_default=True, help="What is flown.")
@@ -65,7 +69,7 @@ def margins(
         with atomic_file(folder / "bode.png") as part:
             bode_figure(title, found).savefig(part, format="png", dpi=150)
     if as_json:
-        print_json(document(flown, found))
+        print_json({**document(flown, found), "written": str(folder / "margins.json")})
     else:
         print_margins(title, found)
         click.echo(f"Written: {folder / 'margins.json'}, {folder / 'bode.png'}")

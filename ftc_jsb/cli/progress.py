@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy.typing as npt
 
+from ftc_jsb.cli.printing import is_quiet
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.fly import Observer
 
@@ -49,4 +50,4 @@ class Progress:
 
 def progress_for(scenario: Scenario, quiet: bool) -> Progress:
     """A progress bar if there is a terminal to show it, and nobody wants quiet."""
-    return Progress(scenario, enabled=sys.stderr.isatty() and not quiet)
+    return Progress(scenario, enabled=sys.stderr.isatty() and not quiet and not is_quiet())

@@ -7,10 +7,13 @@ import click
 
 from ftc_jsb.cli.exit_codes import LIMIT_BROKEN
 from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
-from ftc_jsb.cli.options import code_option, recording_argument
+from ftc_jsb.cli.options import code_option, examples, recording_argument
 from ftc_jsb.cli.printing import message
 
 
+@examples(
+    "ftc-jsb replay out/a-live-flight/flight.nc",
+)
 @click.command()
 @recording_argument
 @code_option

@@ -8,6 +8,7 @@ import click
 from ftc_jsb.cli.exit_codes import BAD_USAGE
 from ftc_jsb.cli.options import (
     Output,
+    examples,
     json_option,
     margins_option,
     output_options,
@@ -17,6 +18,9 @@ from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.written_report import write_and_print
 
 
+@examples(
+    "ftc-jsb report a/flight.nc b/flight.nc --out both",
+)
 @click.command()
 @recordings_argument
 @output_options

@@ -5,10 +5,11 @@ from pathlib import Path
 import click
 
 from ftc_jsb.cli.exit_codes import DONE, LIMIT_BROKEN
-from ftc_jsb.cli.options import Output, json_option, output_options
+from ftc_jsb.cli.options import Output, examples, json_option, output_options
 from ftc_jsb.cli.printing import print_json, progress_line
 
 
+@examples("ftc-jsb theory levitator", "ftc-jsb theory my_system.py --out mine")
 @click.command()
 @click.argument("name", metavar="NAME|FILE.py")
 @click.option("--seed", type=int, default=0, show_default=True, help="Of the noise.")

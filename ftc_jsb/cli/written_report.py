@@ -40,7 +40,7 @@ def write_and_print(
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
     document = write_report(flights, folder, command, unread, margins)
     if as_json:
-        print_json(document)
+        print_json({**document, "report": str(folder / "report.html")})
     else:
         print_flights(document["flights"])
         print_effects(document["ftc_helped"])

@@ -14,6 +14,7 @@ from ftc_jsb.errors import LoopError
 from ftc_jsb.loops.built_in import BUILT_IN, CompiledLoop
 from ftc_jsb.loops.fence import said
 from ftc_jsb.loops.python_loop import PythonLoop
+from ftc_jsb.suggestion import did_you_mean
 
 ENTRY_POINTS = "ftc_jsb.loops"
 
@@ -82,7 +83,8 @@ def find_loop(name: str) -> Callable[[LoopSetup], OuterLoop]:
     module_name, colon, class_name = name.partition(":")
     if not colon or not module_name or not class_name:
         raise LoopError(
-            f"loop.name: no loop {name!r}; expected one of {', '.join(loop_names())}, "
+            f"loop.name: no loop {name!r}{did_you_mean(name, loop_names())}; "
+            f"expected one of {', '.join(loop_names())}, "
             "or package.module:Class"
         )
     if str(Path.cwd()) not in sys.path:

@@ -64,6 +64,15 @@ class SetLoop(Section):
     value: float
 
 
+class ChangeScenario(Section):
+    """References, faults or numbers of the loop are as the scenario with these overrides has them."""
+
+    kind: Literal["change-scenario"] = "change-scenario"
+    overrides: Annotated[
+        tuple[Annotated[str, Field(max_length=100_000)], ...], Field(max_length=1000)
+    ] = ()  # key=value
+
+
 class Pause(Section):
     """Time stands still; the flight is not changed."""
 
@@ -95,6 +104,7 @@ Command = (
     | SetAltitude
     | SetFaults
     | SetLoop
+    | ChangeScenario
     | Pause
     | Resume
     | End

@@ -12,7 +12,8 @@ from ftc_jsb.errors import ScenarioError
 from ftc_jsb.resources import shipped
 from ftc_jsb.scenario.keys import with_value
 from ftc_jsb.scenario.schema import DESCRIPTION_LENGTH, TITLE_LENGTH, Scenario
-from ftc_jsb.typed_file import first_problem
+from ftc_jsb.suggestion import did_you_mean
+from ftc_jsb.typed_file import every_problem
 
 _NOT_TOLD = (
     "model",
@@ -48,7 +49,8 @@ def scenario_path(name: str) -> Path:
         raise ScenarioError(f"{name}: no such file; expected the path of a scenario (.toml)")
     known = ", ".join(scenario_names())
     raise ScenarioError(
-        f"no scenario {name!r}; shipped are {known}; or give the path of a .toml file"
+        f"no scenario {name!r}{did_you_mean(name, scenario_names())}; shipped are {known}; "
+        "or give the path of a .toml file"
     )
 
 
@@ -71,14 +73,30 @@ def load_scenario(name: str, overrides: Sequence[str] = ()) -> Scenario:
     scenario = parse_scenario(text, str(path))
     if not overrides:
         return scenario
-    values = tomllib.loads(text)
+    return override_scenario(tomllib.loads(text), overrides, str(path))
+
+
+def override_scenario(
+    values: dict[str, Any], overrides: Sequence[str], source: str, option: str = "--set"
+) -> Scenario:
+    """Scenario of the contents of a file, overridden.
+
+    Args:
+        values: contents of a file that is valid.
+        overrides: as `load_scenario` takes them.
+        source: names the file in messages.
+        option: names the overrides in messages.
+
+    Raises:
+        ScenarioError: an override cannot be read, or makes no scenario.
+    """
     for override in overrides:
-        values = _overridden(values, override)
+        values = _overridden(values, override, option)
     values = _told(values, overrides)
     try:
         return _validated(values)
     except ValidationError as error:
-        raise ScenarioError(f"--set on {path}: {first_problem(error, Scenario)}") from None
+        raise ScenarioError(f"{option} on {source}: {every_problem(error, Scenario)}") from None
 
 
 def parse_scenario(text: str, source: str) -> Scenario:
@@ -102,7 +120,7 @@ def scenario_of(values: dict[str, Any], source: str) -> Scenario:
     try:
         return _validated(values)
     except ValidationError as error:
-        raise ScenarioError(f"{source}: {first_problem(error, Scenario)}") from None
+        raise ScenarioError(f"{source}: {every_problem(error, Scenario)}") from None
 
 
 def scenario_toml(scenario: Scenario) -> str:
@@ -132,17 +150,19 @@ def _told(values: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
     return {**values, "title": told, "description": f"{note[:room]}\n{description.strip()}"}
 
 
-def _overridden(values: dict[str, Any], override: str) -> dict[str, Any]:
+def _overridden(values: dict[str, Any], override: str, option: str) -> dict[str, Any]:
     key, equals, text = override.partition("=")
     if not equals or not key.strip():
-        raise ScenarioError(f"--set {override!r}: expected KEY=VALUE, such as loop.trim_filter=20")
+        raise ScenarioError(
+            f"{option} {override!r}: expected KEY=VALUE, such as loop.trim_filter=20"
+        )
     try:
         value = tomllib.loads(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
         value = text.strip()
     except (ValueError, RecursionError) as error:
-        raise ScenarioError(f"--set {key.strip()}: cannot be read: {error}") from None
+        raise ScenarioError(f"{option} {key.strip()}: cannot be read: {error}") from None
     try:
         return with_value(values, key, value)
     except ScenarioError as error:
-        raise ScenarioError(f"--set {key}: {error}") from None
+        raise ScenarioError(f"{option} {key}: {error}") from None

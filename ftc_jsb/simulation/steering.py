@@ -12,6 +12,7 @@ from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.built_in import BUILT_IN, CompiledLoop, loop_settings
 from ftc_jsb.recording.commands import (
     Applied,
+    ChangeScenario,
     Command,
     End,
     Reset,
@@ -22,13 +23,18 @@ from ftc_jsb.recording.commands import (
     SetHeading,
     SetLoop,
 )
+from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.keys import value_at, with_value
 from ftc_jsb.scenario.loop import Loop
+from ftc_jsb.scenario.reference import raw_commands
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import impossible
 from ftc_jsb.simulation.assembly import Assembly
+from ftc_jsb.simulation.changed_scenario import changed_scenario
 from ftc_jsb.simulation.set_points import nearest_turn, ramp
 from ftc_jsb.typed_file import first_problem
+
+RAW = ("airspeed_cmd_raw", "flight_path_angle_cmd_raw", "heading_cmd_raw", "altitude_cmd_raw")
 
 
 class Steering:
@@ -68,12 +74,16 @@ class Steering:
             self._set_point(command, row)
         elif isinstance(command, SetAltitude):
             self._set_altitude(command, row)
+        elif isinstance(command, ChangeScenario):
+            self._change(command, row)
         self.applied.append(Applied(row, command))
         return not isinstance(command, End | Reset)
 
     def _set_loop(self, command: SetLoop) -> None:
-        changed = changed_loop(self._setup.settings, command)
-        self._setup = self._setup._replace(settings=changed)
+        self._use_loop(changed_loop(self._setup.settings, command))
+
+    def _use_loop(self, loop: Loop) -> None:
+        self._setup = self._setup._replace(settings=loop)
         if isinstance(self._loop, CompiledLoop):
             self._loop.arrays.settings[:] = loop_settings(self._setup, self._model)
 
@@ -89,12 +99,29 @@ class Steering:
             raise ScenarioError(
                 f"set-faults: {len(faults)} faults at once; expected {CAPACITY} at most"
             )
-        self._faults = tuple(faults)
-        records = fault_records(self._faults)
+        self._use_faults(tuple(faults), row)
+
+    def _use_faults(self, faults: tuple[Fault, ...], row: int) -> None:
+        self._faults = faults
+        records = fault_records(faults)
         self._instruments.faults[:] = records
-        if any(TARGETS.index(fault.target) >= FIRST_SENSOR for fault in command.faults):
+        if any(TARGETS.index(fault.target) >= FIRST_SENSOR for fault in faults):
             self._instruments.sensors[0]["perfect"] = 0
         schedule(records, self._setup.aircraft.thrust.engines, self._record, row)
+
+    def _change(self, command: ChangeScenario, row: int) -> None:
+        """What the overrides do not change stays, commands of the flight before included."""
+        before = self._scenario
+        changed = changed_scenario(before, command.overrides)
+        if changed.reference != before.reference:
+            raw = raw_commands(changed.reference, self._record["time"])
+            for column, name in enumerate(RAW):
+                self._record[name][row:] = raw[row:, column]
+        if changed.fault != before.fault:
+            self._use_faults(changed.fault, row)
+        if changed.loop != before.loop:
+            self._use_loop(changed.loop)
+        self._scenario = changed
 
     def _set_point(self, command: SetAirspeed | SetFlightPath | SetHeading, row: int) -> None:
         column = {

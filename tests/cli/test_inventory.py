@@ -1,5 +1,7 @@
 """`ftc-jsb list`: what is shipped."""
 
+import json
+
 from tests.cli.command import run
 
 
@@ -9,3 +11,9 @@ def test_list_flies_nothing(tmp_path):
         assert name in listed
     assert "paper" in run("list", "aircraft", cwd=tmp_path).stdout
     assert not list(tmp_path.iterdir())
+
+
+def test_list_for_machines(tmp_path):
+    listed = json.loads(run("list", "loops", "--json", cwd=tmp_path).stdout)
+    assert list(listed) == ["loops"]
+    assert "robust" in listed["loops"]

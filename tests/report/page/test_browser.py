@@ -268,3 +268,55 @@ def test_everything_that_can_be_worked_can_be_reached_by_tab(opened):
     assert {"theme", "cursor", "from", "to", "all", "turn", "true-scale", "0", "5"} <= reached
     assert "DIV.scroll" in reached
     assert "SUMMARY." in reached
+
+
+def test_no_chart_offers_an_upload(opened):
+    opened.show("states")
+    titles = opened.page.eval_on_selector_all(
+        ".modebar-btn", "all => all.map(b => b.dataset.title + ' ' + (b.dataset.attr ?? ''))"
+    )
+    assert any("CSV" in title for title in titles)
+    assert not [title for title in titles if "hare" in title or "loud" in title or "Edit" in title]
+
+
+def test_a_chart_is_saved_as_csv_with_every_drawn_sample(opened, written):
+    opened.show("states")
+    opened.page.locator("#chart-states").hover()
+    with opened.page.expect_download() as waiting:
+        opened.page.locator("#chart-states .modebar-btn[data-title*=CSV]").click()
+    lines = waiting.value.path().read_text(encoding="utf-8").splitlines()
+    assert waiting.value.suggested_filename == "states.csv"
+    assert lines[0].split(",")[:3] == ["flight", "time_s", "airspeed"]
+    drawn = opened.plot("states", "gd.data.filter(t => t.yaxis === 'y' && !/ref/.test(t.name))"
+                                  ".reduce((sum, t) => sum + t.x.length, 0)")  # fmt: skip
+    assert len(lines) - 1 == drawn
+
+
+def test_a_number_under_the_mouse_has_its_unit(opened):
+    opened.show("states", "controls")
+    assert opened.plot("states", "gd.data[0].hovertemplate").endswith(" m/s")
+    assert opened.plot("controls", "gd.data[0].hovertemplate").endswith(" kN")
+
+
+def test_play_moves_the_time_cursor_and_pauses(opened):
+    opened.page.locator("#play").click()
+    opened.page.wait_for_function("Number(document.getElementById('cursor').value) > 1")
+    opened.page.locator("#play").click()
+    before = opened.page.locator("#cursor").input_value()
+    opened.page.wait_for_timeout(200)
+    assert opened.page.locator("#cursor").input_value() == before
+
+
+@pytest.mark.parametrize("media", ["print", "screen"])
+def test_the_legend_is_whole_on_paper_and_on_a_phone(browser, written, media):
+    """Every flight's entry lies on the page; on paper no tool bar does."""
+    opened = Opened(browser, written, viewport={"width": 420, "height": 850})
+    opened.show("states")
+    opened.page.emulate_media(media=media)
+    for chip in opened.page.locator(".chip").all():
+        box = chip.bounding_box()
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 420
+    bar = opened.page.locator("#chart-states .modebar").first
+    assert (bar.evaluate("e => getComputedStyle(e).display") == "none") == (media == "print")
+    opened.context.close()

@@ -42,7 +42,9 @@
   // --- a chart as Plotly takes it -----------------------------------------------------------
   const axisName = (row) => (row === 0 ? "y" : `y${row + 1}`);
 
-  function lineTraces(line, row) {
+  const unitOf = (label) => (/\[([^\]]+)\]$/.exec(label) || ["", "-"])[1].replace(/^-$/, "");
+
+  function lineTraces(line, row, label) {
     const traces = [];
     const drawnGroups = new Set();
     flights.forEach((flight, i) => {
@@ -51,7 +53,7 @@
       const ink = colour(`line-${flight.colour}`);
       const base = {
         type: "scatter", mode: "lines", x: column(i, "time"), y: series[0], yaxis: axisName(row), owners: [i],
-        name: flight.title, connectgaps: false, hovertemplate: "%{y:.5~g}",
+        name: flight.title, connectgaps: false, hovertemplate: `%{y:.5~g} ${unitOf(label)}`,
         line: { color: ink, width: 1.6, dash: flight.dash },
       };
       if (line.kind === "line") traces.push(base);
@@ -86,7 +88,7 @@
 
   function timeFigure(chart) {
     const rows = chart.rows.length, gap = 0.14 / rows;
-    const data = chart.rows.flatMap((row, i) => row.lines.flatMap((line) => lineTraces(line, i)));
+    const data = chart.rows.flatMap((row, i) => row.lines.flatMap((line) => lineTraces(line, i, row.label)));
     const layout = {
       ...paper(rows * ROW + MARGIN.t + MARGIN.b), hovermode: "x unified", showlegend: false, dragmode: "zoom", shapes: [],
       xaxis: axis({ anchor: axisName(rows - 1), title: { text: "Time [s]", standoff: 6 }, range: [...shown.window], hoverformat: ".2f" }),
@@ -113,7 +115,7 @@
       height, margin: MARGIN, paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", uirevision: "kept",
       font: { color: colour("ink"), size: 11, family: "system-ui, sans-serif" },
       modebar: { bgcolor: "rgba(0,0,0,0)", color: colour("soft"), activecolor: colour("ink") },
-      hoverlabel: { bgcolor: colour("card"), bordercolor: colour("rule"), font: { color: colour("ink"), size: 11 }, namelength: -1 },
+      hoverlabel: { bgcolor: colour("card", 0.72), bordercolor: colour("rule"), font: { color: colour("ink"), size: 11 }, namelength: -1 },
     };
   }
 
@@ -132,7 +134,7 @@
       const base = { type: "scatter3d", owners: [i], name: flight.title };
       data.push({
         ...base, mode: "lines", x, y, z, line: { color: ink, width: 4, dash: flight.dash },
-        hovertemplate: "east %{x:.2f}, north %{y:.2f}, altitude %{z:.3f} km",
+        hovertemplate: "east %{x:.2f} km, north %{y:.2f} km, altitude %{z:.3f} km",
       });
       const marks = [[flight.faults[0] ?? null, "circle", 4], [shown.time, "circle-open", 6]];
       marks.forEach(([time, symbol, size], k) => {
@@ -161,16 +163,45 @@
 
   // --- drawing: when a chart comes near the window, and again when it is stale ----------------
   const places = new Map(); // name -> { chart, plot, drawn, stale, near, mark }
-  const config = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["lasso2d", "select2d", "autoScale2d"] };
+  function config(chart) {
+    return {
+      displaylogo: false, responsive: true, showSendToCloud: false, showEditInChartStudio: false,
+      modeBarButtonsToRemove: ["lasso2d", "select2d", "autoScale2d"],
+      modeBarButtonsToAdd: [{ name: "csv", title: "Download data as CSV", icon: Plotly.Icons.disk, click: () => download(chart) }],
+      toImageButtonOptions: { format: "svg", filename: chart.name },
+    };
+  }
+
+  // What a chart draws, as a table: a row a sample and flight, numbers as they are shown.
+  function csv(chart) {
+    const names = [...new Set(chart.rows.flatMap((row) => row.lines.flatMap((line) => line.columns)))];
+    const quoted = (text) => `"${text.replaceAll('"', '""')}"`;
+    const lines = [["flight", "time_s", ...names].join(",")];
+    flights.forEach((flight, i) => {
+      const series = names.map((name) => column(i, name));
+      column(i, "time").forEach((time, n) => {
+        const cells = series.map((values) => (values === undefined || Number.isNaN(values[n]) ? "" : values[n].toPrecision(7)));
+        if (shown.on[i]) lines.push([quoted(flight.title), time.toPrecision(7), ...cells].join(","));
+      });
+    });
+    return `${lines.join("\n")}\n`;
+  }
+  function download(chart) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([csv(chart)], { type: "text/csv" }));
+    link.download = `${chart.name}.csv`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
 
   function draw(place) {
     const build = place.chart.name === "trajectory" ? spaceFigure : timeFigure;
     const { data, layout } = build(place.chart);
     data.forEach((trace) => { trace.visible = visible(trace); });
     place.stale = false;
-    if (place.drawn) return Plotly.react(place.plot, data, layout, config);
+    if (place.drawn) return Plotly.react(place.plot, data, layout, config(place.chart));
     place.drawn = true;
-    Plotly.newPlot(place.plot, data, layout, config);
+    Plotly.newPlot(place.plot, data, layout, config(place.chart));
     if (place.chart.name !== "trajectory") {
       place.mark = place.plot.appendChild(Object.assign(document.createElement("div"), { className: "mark" }));
       place.plot.on("plotly_hover", (event) => setTime(event.xvals ? event.xvals[0] : event.points[0].x));
@@ -278,6 +309,21 @@
   Object.assign(byId("cursor"), { max: end, step: end > 600 ? 0.1 : 0.01 });
   byId("cursor").addEventListener("input", (event) => setTime(event.target.value));
   byId("values").addEventListener("toggle", fillValues);
+  const PACE = 10; // times real time
+  let playing = null; // when the last frame of a played flight was [ms]
+  function play(now) {
+    if (playing === null) return;
+    setTime((shown.time ?? 0) + (PACE * (now - playing)) / 1000);
+    playing = shown.time < end ? now : null;
+    byId("play").textContent = playing === null ? "▶ Play" : "❚❚ Pause";
+    if (playing !== null) requestAnimationFrame(play);
+  }
+  byId("play").addEventListener("click", () => {
+    if (shown.time === null || shown.time >= end) setTime(0);
+    playing = playing === null ? performance.now() : null;
+    byId("play").textContent = playing === null ? "▶ Play" : "❚❚ Pause";
+    if (playing !== null) requestAnimationFrame(play);
+  });
   byId("from").value = 0;
   byId("to").value = Number(end.toFixed(3));
   ["from", "to"].forEach((id) => byId(id).addEventListener("change", () => setWindow(Number(byId("from").value), Number(byId("to").value))));
