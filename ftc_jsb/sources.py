@@ -15,6 +15,7 @@ _IMPORT = re.compile(
     rf"^\s*(?:from|import)\s+{PACKAGE.name}((?:\.\w+)*)(?:\s+import\s+(\([^)]*\)|.*))?",
     re.MULTILINE,
 )
+_BESIDE = re.compile(r"^\s*from\s+\.(\w*)\s+import\s+(\([^)]*\)|.*)", re.MULTILINE)
 
 
 def source_digest(module: str) -> str:
@@ -34,7 +35,7 @@ def sources(module: str) -> list[Path]:
 
     Args:
         module: its name. Of one outside this package, which must have been imported, its own file and
-            what it takes from this package; nothing if it has no file.
+            what it takes from files beside it and from this package; nothing if it has no file.
     """
     found: set[Path] = set()
     waiting = [_file_of(module)]
@@ -61,13 +62,17 @@ def _contents(path: Path) -> bytes:
 
 @cache
 def _imported(path: Path) -> list[Path]:
-    """Files of this package that a file names in its imports."""
+    """Files of this package, and beside it, that a file names in its imports."""
     files: list[Path | None] = []
-    for package, names in _IMPORT.findall(_contents(path).decode()):
+    text = _contents(path).decode()
+    for module, names in _BESIDE.findall(text):
+        beside = [module] if module else re.findall(r"\w+", names)
+        files += [path.with_name(f"{name}.py") for name in beside]
+    for package, names in _IMPORT.findall(text):
         parts = tuple(package.split(".")[1:])
         files.append(_file(parts))
         files += [_file((*parts, name)) for name in re.findall(r"\w+", names)]
-    return [file for file in files if file is not None]
+    return [file for file in files if file is not None and file.is_file()]
 
 
 def _file(parts: tuple[str, ...]) -> Path | None:

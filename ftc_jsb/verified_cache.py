@@ -29,7 +29,10 @@ DIGEST_SIZE = DIGEST().digest_size  # bytes that a sealed file begins with
 def cache_folders() -> Iterator[Path]:
     """Where to look, and where to write, in this order; none of them need be there."""
     yield Path(platformdirs.user_cache_dir(NAME))
-    stand_in = Path(tempfile.gettempdir()) / f"{NAME}-cache-{_user()}"
+    try:
+        stand_in = Path(tempfile.gettempdir()) / f"{NAME}-cache-{_user()}"
+    except FileNotFoundError:  # no temporary folder can be written
+        return
     if _is_ours(stand_in):
         yield stand_in
 

@@ -39,8 +39,11 @@ def imports_by_parsing(module: str) -> set[Path]:
         found.add(path)
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.ImportFrom):
-                assert node.level == 0, f"{path}: relative imports are not followed"
-                names = [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+                assert node.level < 2, f"{path}: imports from above are not followed"
+                base = node.module or ""
+                if node.level == 1:
+                    base = ".".join(part for part in (name_of(path.parent), base) if part)
+                names = [base, *(f"{base}.{alias.name}" for alias in node.names)]
             elif isinstance(node, ast.Import):
                 names = [alias.name for alias in node.names]
             else:
@@ -98,12 +101,12 @@ def test_sample_is_made_from_the_vocabulary():
 
 
 def test_modules_with_kernels_are_the_ones_that_ask_for_the_compiler():
-    """Nothing in the package calls Numba past `compiled.py`, so no kernel escapes its keys."""
+    """Nothing in the package calls Numba past `compiled.py` and its cache, so no kernel escapes its keys."""
     modules = modules_with_kernels()
     assert len(modules) > 25
     for path in PACKAGE.rglob("*.py"):
         text = path.read_text(encoding="utf-8")
-        assert "import numba" not in text or path.name == "compiled.py", path
+        assert "import numba" not in text or path.name in ("compiled.py", "kernel_cache.py"), path
     for module in modules:
         assert PACKAGE / "compiled.py" in sources(module), module
 

@@ -299,9 +299,12 @@ def test_a_number_under_the_mouse_has_its_unit(opened):
 
 
 def test_play_moves_the_time_cursor_and_pauses(opened):
+    cursor = "document.getElementById('cursor')"
+    opened.page.evaluate(f"{cursor}.value = 0; {cursor}.dispatchEvent(new Event('input'))")
     opened.page.locator("#play").click()
-    opened.page.wait_for_function("Number(document.getElementById('cursor').value) > 1")
+    opened.page.wait_for_function(f"Number({cursor}.value) > 1")
     opened.page.locator("#play").click()
+    opened.page.wait_for_timeout(100)  # a frame that is drawn already
     before = opened.page.locator("#cursor").input_value()
     opened.page.wait_for_timeout(200)
     assert opened.page.locator("#cursor").input_value() == before
