@@ -299,15 +299,24 @@ def test_a_number_under_the_mouse_has_its_unit(opened):
 
 
 def test_play_moves_the_time_cursor_and_pauses(opened):
-    cursor = "document.getElementById('cursor')"
-    opened.page.evaluate(f"{cursor}.value = 0; {cursor}.dispatchEvent(new Event('input'))")
-    opened.page.locator("#play").click()
-    opened.page.wait_for_function(f"Number({cursor}.value) > 1")
-    opened.page.locator("#play").click()
-    opened.page.wait_for_timeout(100)  # a frame that is drawn already
-    before = opened.page.locator("#cursor").input_value()
+    """From the start; paused in the frame in which the cursor has passed 1 s, it stays where it is."""
+    paused = opened.page.evaluate(
+        """new Promise((done) => {
+          const cursor = document.getElementById("cursor"), button = document.getElementById("play");
+          cursor.value = 0;
+          cursor.dispatchEvent(new Event("input"));
+          button.click();
+          const watch = () => {
+            if (Number(cursor.value) <= 1) { requestAnimationFrame(watch); return; }
+            if (button.textContent.includes("Pause")) button.click();
+            done(cursor.value);
+          };
+          requestAnimationFrame(watch);
+        })"""
+    )
+    assert "Play" in opened.page.locator("#play").inner_text()
     opened.page.wait_for_timeout(200)
-    assert opened.page.locator("#cursor").input_value() == before
+    assert opened.page.locator("#cursor").input_value() == paused
 
 
 @pytest.mark.parametrize("media", ["print", "screen"])
