@@ -91,7 +91,8 @@ def _fast_at_idle(record: npt.NDArray[Any]) -> Mask:
     """Where idle thrust cannot hold the airspeed of the dive that was asked for: too fast, in control."""
     dive = np.abs(record["flight_path_angle"] - record["flight_path_angle_ref"]) < HELD_PATH
     fast = record["airspeed"] > record["airspeed_ref"]
-    return np.asarray((record["thrust_saturated"] > 0.5) & dive & fast)
+    idle = (record["thrust_saturated"] > 0.5) & (record["thrust_cmd"] < record["drag"])
+    return np.asarray(idle & dive & fast)
 
 
 def _first_lasting(where: Mask, rows: int) -> int | None:

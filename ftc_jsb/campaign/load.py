@@ -15,7 +15,13 @@ from ftc_jsb.errors import LoopError, ScenarioError
 from ftc_jsb.loops.built_in import BUILT_IN
 from ftc_jsb.loops.registry import find_loop
 from ftc_jsb.resources import shipped
-from ftc_jsb.scenario.load import load_scenario, parse_scenario, scenario_names, scenario_toml
+from ftc_jsb.scenario.load import (
+    file_or_shipped,
+    load_scenario,
+    parse_scenario,
+    scenario_names,
+    scenario_toml,
+)
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import refuse_unflyable
 from ftc_jsb.typed_file import every_problem
@@ -97,20 +103,7 @@ def _shipped() -> Path:
 
 
 def _path(name: str) -> Path:
-    path = Path(name)
-    candidate = _shipped() / f"{name}.toml"
-    if path.suffix != ".toml" and path.name == name and candidate.is_file():
-        return candidate
-    if path.is_file():
-        return path
-    if path.is_dir():
-        raise ScenarioError(f"{name}: is a folder; expected the path of a campaign (.toml)")
-    if path.suffix == ".toml" or path.name != name:
-        raise ScenarioError(f"{name}: no such file; expected the path of a campaign (.toml)")
-    known = ", ".join(campaign_names())
-    raise ScenarioError(
-        f"no campaign {name!r}; shipped are {known}; or give the path of a .toml file"
-    )
+    return file_or_shipped(name, _shipped(), "campaign")
 
 
 def _base(path: Path, entry: str) -> Scenario:

@@ -73,7 +73,7 @@ def hold_altitude(hold: Any, record: Records, i: int) -> None:
     if not math.isfinite(path):
         path = row.flight_path_angle_cmd_raw
     if h.active == 0:
-        _start(h, row, airspeed)
+        _start(h, row, after.altitude_cmd_raw, airspeed)
     _estimate(h, row.altitude_meas, airspeed * math.sin(path), dt)
     slope = (after.altitude_cmd_raw - row.altitude_cmd_raw) / dt  # [m/s], of the command
     slope = slope if math.isfinite(slope) else 0.0
@@ -92,10 +92,10 @@ def plan_as_reference(hold: Any, filters: Any) -> None:
 
 
 @compiled
-def _start(h: Any, row: Row, airspeed: float) -> None:
-    """From where the aircraft is, on the path that is commanded now."""
+def _start(h: Any, row: Row, target: float, airspeed: float) -> None:
+    """From where the aircraft is, the target [m] if nobody knows, on the path that is commanded now."""
     h.active = 1
-    h.altitude = row.altitude_meas if math.isfinite(row.altitude_meas) else row.altitude_cmd_raw
+    h.altitude = row.altitude_meas if math.isfinite(row.altitude_meas) else target
     h.planned = h.altitude
     h.climb = airspeed * math.sin(row.flight_path_angle_cmd_raw)
     h.wind, h.wind_rate = 0.0, 0.0

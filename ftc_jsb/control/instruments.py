@@ -10,6 +10,7 @@ import math
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.point_mass.drag import measured_drag_coefficient
+from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Observer, Row
@@ -67,17 +68,23 @@ def consider_instruments(
     per_coefficient = pressure_area(at, airspeed) / m.mass
     drag = drag_coefficient_measured(m, x, at, row, NOTHING, 0.0)
     rise = drag_coefficient_measured(m, x, at, row, AIRSPEED, FASTER) - drag
+    measured = math.isfinite(drag)
+    if not measured:  # the polar's, which no angle changes
+        polar = polar_drag(at, airspeed, o.thrust, row.load_factor_meas)[0]
+        drag, rise = polar / pressure_area(at, airspeed), 0.0
     to_airspeed = per_coefficient * (2.0 * drag / airspeed + rise / FASTER)
     noise = s.acceleration_noise + to_airspeed**2 * s.measurement_noise[0]
     square = s.acceleration_bias**2 + (to_airspeed * s.airspeed_bias) ** 2
     for angle in range(ANGLES):
-        moved = drag_coefficient_measured(m, x, at, row, angle, STEP)
-        to_angle = per_coefficient * (moved - drag) / STEP
+        to_angle = 0.0
+        if measured:
+            moved = drag_coefficient_measured(m, x, at, row, angle, STEP)
+            to_angle = per_coefficient * (moved - drag) / STEP
         if angle == ALPHA:
             to_angle -= STANDARD_GRAVITY * row.load_factor_meas
         noise += to_angle**2 * s.angle_noise[angle]
         square += (to_angle * s.angle_bias[angle]) ** 2
-    if not math.isfinite(noise + square):  # a silent vane, or no measured drag
+    if not math.isfinite(noise + square):  # a silent instrument
         return
     share = 1.0 - math.exp(-s.dt / LAG)
     o.acceleration_noise += share * (noise - o.acceleration_noise)

@@ -18,7 +18,11 @@ class _Readers(NamedTuple):
 
 
 def _protected(loop: Loop) -> bool:
-    return loop.name not in BUILT_IN or BUILT_IN[loop.name].protected
+    return BUILT_IN[loop.name].protected
+
+
+def _robust(loop: Loop) -> bool:
+    return BUILT_IN[loop.name].robust
 
 
 def _estimating(loop: Loop) -> bool:
@@ -36,7 +40,13 @@ _READERS = (
     _Readers("loop.priority", loop=_protected),
     _Readers("loop.drag_correction", loop=_protected),
     _Readers("loop.bank_share", loop=_protected),
-    _Readers("loop.estimator.measurement_noise", loop=lambda loop: not tuned_by_sensors(loop)),
+    _Readers("loop.feedback", loop=lambda loop: not _robust(loop)),
+    _Readers("loop.response_lead", loop=lambda loop: not _robust(loop)),
+    _Readers("loop.lead_filter", loop=lambda loop: not _robust(loop)),
+    _Readers(
+        "loop.estimator.measurement_noise",
+        loop=lambda loop: _estimating(loop) and not tuned_by_sensors(loop),
+    ),
     _Readers("loop.estimator.response_time", loop=tuned_by_sensors),
     _Readers("loop.estimator", loop=_estimating),
     _Readers("loop.detector", loop=_estimating),
@@ -46,7 +56,7 @@ _READERS = (
 def unused_keys(
     overrides: Sequence[str], models: Sequence[str], loops: Sequence[Loop]
 ) -> list[str]:
-    """A sentence for each override that no flight reads.
+    """A sentence for each override that no flight reads; a loop of the user's own may read any key of [loop].
 
     Args:
         overrides: `key=value`.
@@ -60,7 +70,7 @@ def unused_keys(
                 continue
             if not set(models) & set(readers.models):
                 found.append(f"--set {key}: not read by the model {', '.join(models)}")
-            elif not any(readers.loop(loop) for loop in loops):
+            elif not any(loop.name not in BUILT_IN or readers.loop(loop) for loop in loops):
                 names = ", ".join(loop.name for loop in loops)
                 found.append(f"--set {key}: not read by the loop {names}")
             break

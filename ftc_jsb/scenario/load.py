@@ -37,19 +37,33 @@ def scenario_path(name: str) -> Path:
     Raises:
         ScenarioError: neither exists.
     """
+    return file_or_shipped(name, shipped("scenarios"), "scenario")
+
+
+def file_or_shipped(name: str, folder: Path, kind: str) -> Path:
+    """Path of a .toml file given as a path or as the name of one in a folder that is shipped.
+
+    Args:
+        name: as given.
+        folder: of the shipped ones.
+        kind: what it is, for messages.
+
+    Raises:
+        ScenarioError: neither exists.
+    """
     path = Path(name)
-    candidate = shipped("scenarios") / f"{name}.toml"
+    candidate = folder / f"{name}.toml"
     if path.suffix != ".toml" and path.name == name and candidate.is_file():
         return candidate  # whatever the working folder has of that name
     if path.is_file():
         return path
     if path.is_dir():
-        raise ScenarioError(f"{name}: is a folder; expected the path of a scenario (.toml)")
+        raise ScenarioError(f"{name}: is a folder; expected the path of a {kind} (.toml)")
     if path.suffix == ".toml" or path.name != name:
-        raise ScenarioError(f"{name}: no such file; expected the path of a scenario (.toml)")
-    known = ", ".join(scenario_names())
+        raise ScenarioError(f"{name}: no such file; expected the path of a {kind} (.toml)")
+    known = sorted(each.stem for each in folder.glob("*.toml"))
     raise ScenarioError(
-        f"no scenario {name!r}{did_you_mean(name, scenario_names())}; shipped are {known}; "
+        f"no {kind} {name!r}{did_you_mean(name, known)}; shipped are {', '.join(known)}; "
         "or give the path of a .toml file"
     )
 

@@ -70,7 +70,10 @@ def unbounded(system: System) -> tuple[str, ...]:
 
 
 def _grows(element: sp.Expr, symbol: sp.Symbol) -> bool:
-    """Whether an expression is unbounded in a symbol, the others at a general point."""
+    """Whether an expression is known to be unbounded in a symbol, the others at a general point.
+
+    Only what is proven is said: a limit that SymPy cannot find, as of an oscillation, says nothing.
+    """
     others = sorted(element.free_symbols - {symbol}, key=str)
     at = {other: sp.Rational(17 + 2 * i, 23) for i, other in enumerate(others)}
     line = sp.nsimplify(element, rational=True).subs(at)

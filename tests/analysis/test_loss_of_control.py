@@ -35,6 +35,18 @@ def test_full_turns_of_bank_are_upright():
     assert loss_of_control(recording(bank_angle=2.0 * np.pi * 3.0)) is None
 
 
+@pytest.mark.parametrize(("thrust", "lost"), [(0.0, False), (80e3, True)])
+def test_too_fast_at_idle_is_a_dive_and_at_full_thrust_is_none(thrust, lost):
+    """4 m/s faster every second on the path asked for: what idle cannot hold, or a loop gone wrong."""
+    away = recording(
+        airspeed=200.0 + np.maximum(4.0 * (TIME - 10.0), 0.0),
+        thrust_saturated=1.0,
+        thrust_cmd=thrust,
+        drag=40e3,
+    )
+    assert (loss_of_control(away) is not None) == lost
+
+
 @pytest.mark.parametrize(
     ("column", "value", "kind"),
     [

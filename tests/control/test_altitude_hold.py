@@ -5,8 +5,10 @@ import pytest
 
 from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.errors import ScenarioError
+from ftc_jsb.recording.commands import Applied, SetAltitude
 from ftc_jsb.scenario.load import load_scenario, parse_scenario
 from ftc_jsb.scenario.schema import Scenario
+from ftc_jsb.simulation.command_source import RecordedCommands
 from ftc_jsb.simulation.fly import fly
 
 STEP = 5200.0  # [m], from 5000 at 20 s
@@ -87,6 +89,18 @@ def test_unattainable_altitude_is_flown_as_far_as_it_goes_and_said():
     assert (
         np.abs(flight.record["altitude_ref"] - flight.record["altitude"]).max() < 25.0
     )  # it waits
+
+
+def test_altitude_is_commanded_in_flight_while_the_altimeter_is_silent():
+    """Nothing breaks, and it is reached within 0.5 m once the altitude is measured, from 20 s on."""
+    values = to_altitude("identified", altitude="[[0,5000]]").model_dump(mode="json")
+    values["reference"] |= {"altitude": None, "flight_path_deg": [[0, 0]]}
+    values["fault"] = [{"target": "altitude", "kind": "dropout", "start": 0.0, "end": 20.0}]
+    command = Applied(500, SetAltitude(value=5010.0, flight_path=0.05, rate=0.02))
+    record = fly(Scenario.model_validate(values), commands=RecordedCommands([command])).record
+    assert np.all(np.isfinite(record["flight_path_angle_cmd_raw"]))
+    assert np.abs(np.degrees(record["flight_path_angle"])).max() < 8.0
+    assert record["altitude"][-1] == pytest.approx(5010.0, abs=0.5)
 
 
 @pytest.mark.parametrize(

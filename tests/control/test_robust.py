@@ -55,6 +55,19 @@ def test_deviation_is_a_confidence_whatever_the_instruments_are_off_by(scenario,
     assert np.mean(deviations) < most
 
 
+def test_point_mass_without_measured_drag_considers_its_instruments_too():
+    """The polar's drag: airspeed and alpha are off by something there, too; sigma is not the filter's alone."""
+    scenario = ["model=identified", "duration=15", "fault=[]", *DISTURBED]
+    real = fly(load_scenario("paper", scenario)).record["effectiveness_thrust_std"][-1]
+    unbiased = [
+        *scenario,
+        *(f"sensors.{name}.bias_spread=0" for name in ("airspeed", "load_factor_x")),
+        "sensors.alpha.bias_spread_deg=0",
+    ]
+    ideal = fly(load_scenario("paper", unbiased)).record["effectiveness_thrust_std"][-1]
+    assert real > 1.1 * ideal
+
+
 def test_perfect_sensors_leave_a_filter_that_can_be_inverted():
     r = covariances(errors(), 0.01)
     assert min(r.measurement) > 0.0

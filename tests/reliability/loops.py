@@ -1,5 +1,6 @@
 """Outer loops that misbehave in every way that a fence holds."""
 
+import abc
 import os
 import signal
 import sys
@@ -11,7 +12,7 @@ from ftc_jsb.control.protocol import Command
 from tests.control.my_loop import MyLoop
 
 
-class Wild(MyLoop):
+class Wild(MyLoop, abc.ABC):
     """Misbehaves at 0.5 s, and flies on if it can."""
 
     def step(self, time, measurement, reference):
@@ -19,8 +20,9 @@ class Wild(MyLoop):
             return self.misbehave()
         return super().step(time, measurement, reference)
 
+    @abc.abstractmethod
     def misbehave(self):
-        raise NotImplementedError
+        """What it does in place of a command."""
 
 
 class Exits(Wild):

@@ -43,6 +43,8 @@ def test_flight_ends_as_failed_and_is_kept(loop, says):
 
 
 def test_what_a_loop_sets_is_set_back(tmp_path, monkeypatch):
+    import netCDF4  # noqa: F401, which sets a variable of the environment of its own when it is first imported
+
     monkeypatch.chdir(tmp_path)
     before = (dict(os.environ), sys.path[:], np.geterr(), signal.getsignal(signal.SIGTERM))
     streams = (sys.stdout, sys.stderr)

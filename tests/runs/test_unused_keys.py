@@ -19,6 +19,8 @@ FTC, INTEGRAL, ROBUST, LAW = (Loop(name=name) for name in ("ftc", "integral", "r
         ("loop.estimator.spread=2", ["paper"], INTEGRAL),
         ("loop.estimator.measurement_noise=[1,1,1]", ["paper"], ROBUST),
         ("loop.priority=none", ["jsbsim"], LAW),
+        ("loop.response_lead=true", ["jsbsim"], ROBUST),
+        ("loop.estimator.measurement_noise=[1,1,1]", ["paper"], INTEGRAL),
     ],
 )
 def test_unread_key_is_said_by_name(key, models, loop):
@@ -32,6 +34,7 @@ def test_unread_key_is_said_by_name(key, models, loop):
         ("aircraft.name=f15", ["paper", "jsbsim"], [FTC]),
         ("loop.integral_gains[0]=1", ["paper"], [FTC, INTEGRAL]),
         ("loop.gains=[1,1,1]", ["paper"], [FTC]),
+        ("loop.integral_gains=[1,1,1]", ["paper"], [Loop(name="mine:Loop")]),
         ("seed=3", ["paper"], [FTC]),
     ],
 )
