@@ -9,8 +9,8 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
-INVERTED = math.radians(100.0)  # [rad] of bank: no reference asks for it
-INVERTED_TIME = 0.5  # [s] without a break
+INVERTED = math.radians(95.0)  # [rad] of bank: no reference asks for it
+INVERTED_TIME = 0.3  # [s] without a break
 STALLED = (math.radians(-20.0), math.radians(35.0))  # [rad], angle of attack
 SLIPPED = math.radians(20.0)  # [rad], sideslip
 RATES = (4.5, 2.0, 1.5)  # [rad/s] of roll, pitch and yaw: beyond what the inner loops ask for
@@ -35,7 +35,7 @@ class LossOfControl(NamedTuple):
 def loss_of_control(record: npt.NDArray[Any]) -> LossOfControl | None:
     """The first loss of control of a flight; None where there is none.
 
-    Inverted: bank beyond 100 deg for half a second. Departed: angle of attack, sideslip or body rates
+    Inverted: bank beyond 95 deg for 0.3 s. Departed: angle of attack, sideslip or body rates
     beyond what an airframe is flown at. Diverging: far from the reference and going away from it for 5 s.
     """
     if record.size < 2:

@@ -22,6 +22,7 @@ class Engine:
         self._work = work
         self._bases: Bases = unpacked(work.campaign)
         self._pace: float | None = None  # [s] a case, of the batches so far
+        self._suspects: list[Item] = []  # with each of them a process died that flew others, too
 
     @property
     def workers(self) -> int:
@@ -36,11 +37,14 @@ class Engine:
         flying: dict[Any, list[Item]] = {}
         done = as_completed()
         try:
-            while waiting or flying:
+            while waiting or flying or self._suspects:
                 while waiting and len(flying) < AHEAD * self.workers:
                     self._submit(self._next(waiting), flying, done)
+                alone = not flying
+                if alone:
+                    self._submit([self._suspects.pop()], flying, done)
                 future = next(done)
-                batch = self._taken(future, flying, waiting)
+                batch = self._taken(future, flying, waiting, alone)
                 if batch is not None:
                     yield batch
         finally:
@@ -59,19 +63,26 @@ class Engine:
         done.add(future)
 
     def _taken(
-        self, future: Any, flying: dict[Any, list[Item]], waiting: list[Item]
+        self, future: Any, flying: dict[Any, list[Item]], waiting: list[Item], alone: bool
     ) -> Batch | None:
-        """The batch of a future. Cases of one that killed its worker are flown one by one."""
+        """The batch of a future, or None where its worker died.
+
+        Dask holds a death against every batch that the worker had, waiting ones included. So its cases are flown
+        one by one, and those whose worker dies again alone at the end: who dies alone is not a neighbour.
+        """
         from distributed import KilledWorker
 
         items = flying.pop(future)
         try:
             batch: Batch = future.result()
         except KilledWorker:
-            if len(items) == 1:
+            if alone:
                 return self._fatal(items[0])
-            waiting.extend(reversed(items))
-            self._pace = math.inf  # one case a batch from here on, until one is done
+            if len(items) == 1:
+                self._suspects.append(items[0])
+            else:
+                waiting.extend(reversed(items))
+                self._pace = math.inf  # one case a batch from here on, until one is done
             return None
         pace = batch.seconds / len(items)
         known = self._pace is not None and math.isfinite(self._pace)
