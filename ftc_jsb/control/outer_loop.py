@@ -16,6 +16,7 @@ from ftc_jsb.control.decision import (
     tracking_errors,
     wanted_rates,
 )
+from ftc_jsb.control.believed_readings import isolate_faults
 from ftc_jsb.control.envelope import keep_inside_envelope
 from ftc_jsb.control.inner_loop_command import command_inner_loop
 from ftc_jsb.control.known_state import update_known_state
@@ -43,6 +44,8 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
         i: row; 0 starts the loop.
     """
     s, m, x, row = loop.settings[0], loop.model[0], loop.state[0], record[i]
+    if s.isolation.enabled == 1:
+        isolate_faults(s, m, x, row, i)
     update_known_state(s, x, row, i)
     at = at_condition(m, x.known.state[0], x.known.altitude)
     if i == 0:
