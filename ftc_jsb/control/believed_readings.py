@@ -1,11 +1,12 @@
 """Which readings the loop believes: the isolation between the recording and the outer loop."""
 
+import math
 from typing import Any
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.estimation.process import place_of_channel
 from ftc_jsb.frames import measure_path
-from ftc_jsb.isolation.isolate import isolate, start_isolation
+from ftc_jsb.isolation.isolate import confirm_thrust, isolate, start_isolation
 from ftc_jsb.isolation.records import ACCEPTED, COUNT
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.vocabulary.channels import THRUST
@@ -18,6 +19,8 @@ from ftc_jsb.vocabulary.kernel_types import (
     Row,
     Vector,
 )
+
+SPOILT = 0.1  # of the effectiveness: standard deviation of what a wrong instrument has left behind
 
 
 @compiled
@@ -37,11 +40,21 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
         start_isolation(iso, raw)
     else:
         at = at_condition(m, x.known.state[0], x.known.altitude)
-        thrust = x.observer.thrust * _effectiveness(x)
-        isolate(s.isolation, m, at, iso, raw, thrust, s.dt)
+        f = x.observer.filter
+        place = place_of_channel(f, THRUST)
+        estimate = f.estimate[place] if place >= 0 else 1.0
+        confirm_thrust(iso, estimate, s.dt)
+        thrust = x.observer.thrust * iso.effectiveness
+        isolate(s.isolation, m, at, iso, raw, thrust, estimate, s.dt)
+        if math.isfinite(iso.before) and place >= 0:
+            f.estimate[place] = iso.before
+            f.covariance[place, place] += SPOILT**2
+        iso.before = math.nan
         if _any_excluded(iso):
             _write(iso.signals, row)
             measure_path(row)
+            if iso.wait > 0.0:  # an accelerometer's error is not known yet
+                row.acceleration_meas = math.nan
     row.suspect, row.suspect_probability = iso.suspect, iso.probability
     row.isolation_statistic = iso.statistic
     bits = 0
@@ -49,15 +62,6 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
         if iso.excluded[k] != ACCEPTED:
             bits += 1 << k
     row.excluded = bits
-
-
-@compiled
-def _effectiveness(x: LoopState) -> float:
-    """Of the thrust as it is believed: 1 until a loss is declared."""
-    place = place_of_channel(x.observer.filter, THRUST)
-    if x.isolation.thrust == 0 or place < 0:
-        return 1.0
-    return float(x.observer.filter.estimate[place])
 
 
 @compiled
@@ -80,10 +84,7 @@ def believe_isolation(iso: IsolationState, detector: Any, row: Row) -> None:
     instrument = FIRST_INSTRUMENT <= iso.suspect < UNKNOWN and iso.statistic > 1.0
     if (instrument or iso.quiet > 0.0) and iso.thrust == 0:
         detector.declared, detector.elapsed = 0, 0.0
-    if detector.declared == 0 and row.fault_statistic < 0.5:
-        iso.thrust = 0
-    elif detector.declared == 1:
-        iso.thrust = 1
+    iso.thrust = detector.declared
 
 
 @compiled

@@ -2,7 +2,8 @@
 
 A fault of unknown size a that began a span ago moves the residuals' means by a times its signature. With
 independent means of variance V the logarithm of the likelihood ratio against "nothing is wrong", at the size that
-fits best, is (sum s d / V)^2 / (2 sum s^2 / V) (Willsky and Jones 1976). The span in which it is the largest says
+fits best, is (sum s d / V)^2 / (2 sum s^2 / V) (Willsky and Jones 1976); faults of impossible sizes are held back
+by adding 1 / size^2 below. The span in which it is the largest says
 since when; probabilities are those of Bayes over that span.
 """
 
@@ -23,15 +24,16 @@ from ftc_jsb.isolation.records import (
     SPANS,
     THRUST_ROW,
 )
-from ftc_jsb.isolation.redundancy import ELEVATOR, FLAP, PITCH, ROLL, YAW
+from ftc_jsb.isolation.redundancy import ELEVATOR, FLAP, ROLL, YAW
 from ftc_jsb.isolation.windows import look_back, variance
 from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, HYPOTHESES, THRUST_LOSS, UNKNOWN
 from ftc_jsb.vocabulary.kernel_types import IsolationSettings, IsolationState
 
 THRUST_ODDS = 20.0  # an engine fails so many times as often as an instrument of a suite
 PICK_OFF_ODDS = 0.1
-UNKNOWN_ODDS = 0.01  # that something else fails, which may move all residuals at once
-FREEDOM = 6.0  # log likelihood that any residuals gain by being explained one by one
+ATTITUDE_ODDS = 0.02  # that does not jump, which is noticed otherwise
+UNKNOWN_ODDS = 0.001  # that something else fails, which may move all residuals at once
+FREEDOM = 10.0  # log likelihood that any residuals gain by being explained one by one
 
 
 @compiled
@@ -77,6 +79,8 @@ def likelihood_ratio(s: IsolationSettings, x: IsolationState, span: int, row: in
             square += expected * expected / v
     if square == 0.0 or (row == THRUST_ROW and along < 0.0):
         return 0.0
+    square += 1.0 / s.size[row] ** 2
+    x.amplitude[row] = along / square
     return 0.5 * along * along / square
 
 
@@ -103,8 +107,8 @@ def _come(row: int, k: int, seconds: float) -> float:
 
 
 @compiled
-def judge(x: IsolationState) -> None:
-    """Probabilities of all hypotheses, and the one that stands out where the statistic is above 1."""
+def judge(x: IsolationState) -> int:
+    """Probabilities of all hypotheses, to `x.probabilities`; the place of the most probable one."""
     total = 0.0
     for h in range(len(HYPOTHESES)):
         x.probabilities[h] = 0.0
@@ -115,9 +119,10 @@ def judge(x: IsolationState) -> None:
         h, odds = THRUST_LOSS, THRUST_ODDS
         if row < COUNT:
             h = FIRST_INSTRUMENT + row
-            odds = PICK_OFF_ODDS if row == ELEVATOR or row == FLAP else 1.0
+            pick_off, attitude = row == ELEVATOR or row == FLAP, ROLL <= row <= YAW
+            odds = PICK_OFF_ODDS if pick_off else ATTITUDE_ODDS if attitude else 1.0
         elif row < THRUST_ROW:
-            h, odds = FIRST_INSTRUMENT + ROLL + row - DRIFT_ROW, 1.0
+            h, odds = FIRST_INSTRUMENT + ROLL + row - DRIFT_ROW, ATTITUDE_ODDS
         x.probabilities[h] += odds * math.exp(x.likelihood[row] - largest)
     x.probabilities[UNKNOWN] = UNKNOWN_ODDS * math.exp(min(x.unexplained - FREEDOM, 50.0))
     for h in range(1, len(HYPOTHESES)):
@@ -127,4 +132,4 @@ def judge(x: IsolationState) -> None:
         x.probabilities[h] /= total
         if x.probabilities[h] > x.probabilities[winner]:
             winner = h
-    x.suspect, x.probability = winner, x.probabilities[winner]
+    return winner

@@ -56,10 +56,13 @@ from ftc_jsb.vocabulary.kernel_types import (
     Vector,
 )
 
-SURE = 0.9  # probability of one hypothesis
+SURE = 0.95  # probability of one hypothesis
+SURE_OF_THRUST = 0.9  # nothing is excluded by it
+CONFIRMED = 6.0  # [s] since a loss of thrust: positions have long told what accelerometers are worth
 LONG = 2.0  # [s]: then the most probable one has to do
 RECOVERY = 2.0  # [s] of the effectiveness after an instrument's fault
 APART_LAG = 3.0  # [s]
+SETTLING = 5.0  # [s] at the start, until position and wind are known
 AGREED = 5.0  # [s] for which a reading has to agree again
 
 
@@ -82,7 +85,9 @@ def start_isolation(x: IsolationState, raw: Vector) -> None:
     for k in range(RESIDUALS):
         x.residual[k] = 0.0
     x.statistic, x.ambiguous, x.quiet = 0.0, 0.0, 0.0
-    x.suspect, x.probability, x.thrust = NOBODY, 1.0, 0
+    x.wait, x.before = SETTLING, math.nan
+    x.suspect, x.probability = NOBODY, 1.0
+    x.thrust, x.effectiveness, x.since = 0, 1.0, 0.0
 
 
 @compiled
@@ -93,6 +98,7 @@ def isolate(
     x: IsolationState,
     raw: Vector,
     thrust: float,
+    effectiveness: float,
     dt: float,
 ) -> None:
     """One sample.
@@ -103,6 +109,7 @@ def isolate(
         x: state; `signals` is then what may be believed, `suspect` who may not.
         raw: (COUNT,) readings; nan = silent.
         thrust: that the engine is believed to give [N].
+        effectiveness: of thrust, as estimated.
         dt: sample time [s].
     """
     for axis in range(3):
@@ -122,16 +129,15 @@ def isolate(
     x.quiet = max(x.quiet - dt, 0.0)
     _readmit(s, x, raw, dt)
     w = x.windows
-    if w.settling > 0 and x.navigation.time > w.settling * BLOCK:
-        w.settling = 0
-    if w.settling > 0:
+    if x.wait > 0.0:
+        x.wait -= dt
         return
     for k in range(RESIDUALS):
         w.sum[k] += x.residual[k]
     w.filled += 1
     if w.filled * dt > BLOCK - 0.5 * dt:
-        add_block(w, x.navigation.wind, thrust / m.mass)
-        signatures(m, at, thrust, x.signals, x)
+        add_block(w, x.navigation.wind, effectiveness, thrust / m.mass)
+        signatures(m, at, thrust, s.size, x)
         weigh(s, x)
         _decide(s, x)
 
@@ -155,13 +161,11 @@ def _see_residuals(
     north = y[NORTH] if x.excluded[NORTH] == ACCEPTED else math.nan
     east = y[EAST] if x.excluded[EAST] == ACCEPTED else math.nan
     down = -y[ALTITUDE] if x.excluded[ALTITUDE] == ACCEPTED else math.nan
-    navigate(n, felt, (north, east, down), s.position_lag, dt)
+    navigate(n, felt, (roll, pitch, yaw), (north, east, down), s.position_lag, dt)
     rates = (y[ROLL_RATE], y[PITCH_RATE], y[YAW_RATE])
     gyros = turn_by_gyros(n, rates, (roll, pitch, yaw), s.gyro_lead, dt)
     air = air_velocity(y[AIRSPEED], y[ALPHA], y[SIDESLIP], roll, pitch, yaw)
     learn_wind(n, air, dt)
-    off = n.acceleration
-    inertial = to_body(roll, pitch, yaw, (-off[0], -off[1], -off[2]))
     through = to_body(
         roll,
         pitch,
@@ -173,9 +177,11 @@ def _see_residuals(
         ),
     )
     for k in range(3):
-        x.residual[INERTIAL_X + k] = inertial[k]
+        x.residual[INERTIAL_X + k] = -n.acceleration[k]
         x.residual[AIR_X + k] = through[k]
         x.residual[GYRO_X + k] = gyros[k]
+        if x.excluded[ROLL_RATE + k] != ACCEPTED:  # it is told by the attitude alone
+            x.residual[GYRO_X + k] = 0.0
     for k in range(LIFT, RESIDUALS):
         x.residual[k] = now[k]
 
@@ -188,16 +194,43 @@ def _decide(s: IsolationSettings, x: IsolationState) -> None:
         if x.quiet == 0.0:
             _say_what_lasts(x)
         return
-    judge(x)
+    winner = judge(x)
+    probability = x.probabilities[winner]
     x.ambiguous += BLOCK
-    if x.probability < SURE and x.ambiguous < LONG:
+    sure = SURE_OF_THRUST if winner == THRUST_LOSS else SURE
+    if (probability < sure or winner == UNKNOWN) and x.ambiguous < LONG:
+        if x.suspect == NOBODY and winner != UNKNOWN:
+            x.suspect, x.probability = winner, probability
         return
     x.ambiguous = 0.0
-    if x.suspect == THRUST_LOSS:
+    x.suspect, x.probability = winner, probability
+    if winner == THRUST_LOSS:
         x.thrust = 1
-        begin_anew(x.windows)
-    elif x.suspect != UNKNOWN:
-        _take_out(x, x.suspect - FIRST_INSTRUMENT, DISAGREES, x.probability)
+    elif winner != UNKNOWN:
+        x.thrust = 0
+        _take_out(x, winner - FIRST_INSTRUMENT, DISAGREES, probability)
+
+
+@compiled
+def confirm_thrust(x: IsolationState, effectiveness: float, dt: float) -> None:
+    """Count on the thrust that is estimated to be left, once a loss has long been declared and not been doubted.
+
+    Until then the force along the velocity is weighed against the thrust of before, so that an accelerometer can
+    still be found out.
+
+    Args:
+        x: ISOLATION.
+        effectiveness: of the thrust, as estimated.
+        dt: sample time [s].
+    """
+    if x.thrust == 0:
+        x.since = 0.0
+        return
+    x.since += dt
+    if x.since > CONFIRMED:
+        if x.since <= CONFIRMED + dt:
+            begin_anew(x.windows)
+        x.effectiveness = effectiveness
 
 
 @compiled

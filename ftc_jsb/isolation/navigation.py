@@ -91,23 +91,32 @@ def start_navigation(navigation: Any, position: Triple, velocity: Triple, attitu
 
 @compiled
 def navigate(
-    navigation: Any, acceleration: Triple, position: Triple, lag: Vector, dt: float
+    navigation: Any,
+    acceleration: Triple,
+    attitude: Triple,
+    position: Triple,
+    lag: Vector,
+    dt: float,
 ) -> None:
     """Advance position, velocity and what is wrong with the acceleration by one sample.
 
-    A critically damped observer of the third order, corrected by every new reading.
+    A critically damped observer of the third order, corrected by every new reading. What is wrong is taken to
+    stay the same in body axes, as an accelerometer's error does.
 
     Args:
         navigation: NAVIGATION, changed in place.
         acceleration: [m/s^2], of `inertial_acceleration`.
+        attitude: roll, pitch, yaw [rad].
         position: readings, north, east, down [m]; nan = silent.
         lag: (3,), [s] of those readings.
         dt: sample time [s].
     """
     n = navigation
+    roll, pitch, yaw = attitude
+    off = to_level(roll, pitch, yaw, (n.acceleration[0], n.acceleration[1], n.acceleration[2]))
     n.time += dt
     for k in range(3):
-        rate = acceleration[k] + n.acceleration[k]
+        rate = acceleration[k] + off[k]
         n.position[k] += dt * (n.velocity[k] + 0.5 * dt * rate)
         n.velocity[k] += dt * rate
         n.age[k] += dt
@@ -118,7 +127,15 @@ def navigate(
         stays = math.exp(-n.age[k] / SETTLING)
         n.position[k] += (1.0 - stays**3) * away
         n.velocity[k] += 1.5 * (1.0 - stays * stays) * (1.0 - stays) / n.age[k] * away
-        n.acceleration[k] += (1.0 - stays) ** 3 / (n.age[k] * n.age[k]) * away
+        more = (1.0 - stays) ** 3 / (n.age[k] * n.age[k]) * away
+        turned = to_body(
+            roll,
+            pitch,
+            yaw,
+            (more if k == 0 else 0.0, more if k == 1 else 0.0, more if k == 2 else 0.0),
+        )
+        for j in range(3):
+            n.acceleration[j] += turned[j]
         n.age[k] = 0.0
 
 

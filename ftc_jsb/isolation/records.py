@@ -33,6 +33,7 @@ ISOLATION_SETTINGS = np.dtype(
         ("gust", float, (len(SPANS), RESIDUALS)),  # what moderate turbulence adds
         ("start", float, (RESIDUALS,)),  # variance of what they are off by in a flight
         ("noise", float, (COUNT,)),  # standard deviation of readings; 0 = perfect
+        ("size", float, (ROWS,)),  # of faults that have to be reckoned with, standard deviation
         ("stale", float, (COUNT,)),  # [s] for which a reading that lives cannot stay the same
         ("tolerance", float, (COUNT,)),  # within which an excluded one agrees again
         ("position_lag", float, (3,)),  # [s] of north, east, altitude
@@ -43,7 +44,7 @@ NAVIGATION = np.dtype(
     [
         ("position", float, (3,)),  # north, east, down [m]
         ("velocity", float, (3,)),  # [m/s]
-        ("acceleration", float, (3,)),  # that has to be added to the accelerometers' [m/s^2]
+        ("acceleration", float, (3,)),  # to be added to the accelerometers', body axes [m/s^2]
         ("reading", float, (3,)),  # last position that was new
         ("age", float, (3,)),  # [s] of it
         ("wind", float, (3,)),  # that lasts [m/s]
@@ -60,9 +61,9 @@ WINDOWS = np.dtype(
         ("filled", np.int64),  # samples of it
         ("blocks", float, (LONGEST, RESIDUALS)),  # a ring of their means
         ("winds", float, (LONGEST, 3)),  # lasting wind at the time [m/s]
+        ("estimates", float, (LONGEST,)),  # effectiveness of thrust at the time
         ("next", np.int64),  # place in the ring
         ("count", np.int64),  # blocks in it since it was emptied, or more
-        ("settling", np.int64),  # blocks that are not used yet
         ("baseline", float, (RESIDUALS,)),  # of the time before the ring
         ("learned", np.int64),  # blocks in the baseline
         ("gust", float),  # power of the turbulence over that of moderate
@@ -89,17 +90,23 @@ ISOLATION = np.dtype(
         ("euler", float, (3,)),  # roll, pitch, yaw of the last sample [rad]
         ("turning", float, (3,)),  # body rates by their changes, lagged [rad/s]
         ("residual", float, (RESIDUALS,)),  # of this sample
+        ("moved", float, (COUNT,)),  # scratch of `redundancy`
         ("agreement", float, (RESIDUALS,)),  # scratch of `redundancy`
         ("frame", float, (3,)),  # likewise
         ("signature", float, (ROWS, RESIDUALS)),
         ("likelihood", float, (ROWS,)),  # log ratios against healthy, over the span that tells most
+        ("amplitude", float, (ROWS,)),  # size that each fault would have
         ("unexplained", float),  # log likelihood that no single fault explains
         ("statistic", float),  # the greatest ratio, over the threshold
         ("probabilities", float, (len(HYPOTHESES),)),
         ("suspect", np.int64),  # place in HYPOTHESES
         ("probability", float),
+        ("before", float),  # effectiveness of thrust that an instrument has spoilt since; nan = it has not
+        ("wait", float),  # [s] until the residuals mean something again
         ("ambiguous", float),  # [s] for which nobody has stood out
         ("thrust", np.int64),  # 1 from a loss of thrust on, until it is back
+        ("effectiveness", float),  # of the thrust that `agreement` counts on
+        ("since", float),  # [s] since the loss was declared
         ("quiet", float),  # [s] left in which the effectiveness recovers from an instrument's fault
     ]
 )

@@ -9,6 +9,7 @@ from ftc_jsb.isolation.navigation import (
     to_body,
 )
 from ftc_jsb.isolation.records import (
+    ACCEPTED,
     AIR_X,
     COUNT,
     DRIFT_ROW,
@@ -43,7 +44,8 @@ NORTH = SENSED.index("north")
 EAST = SENSED.index("east")
 ELEVATOR = SENSED.index("elevator_position")
 FLAP = SENSED.index("flap_position")
-STEP = 1e-3  # of a signal in its unit (m/s, rad, g), for the differences
+STEP = 0.2  # of the errors that have to be reckoned with, for the differences
+LEAST_SLOPE = 1e-3  # [rad], of the angle of attack over the lift coefficient
 
 
 @compiled
@@ -97,7 +99,7 @@ def agreement(
 
 @compiled
 def signatures(
-    m: ModelRecord, at: Condition, thrust: float, signals: Vector, x: IsolationState
+    m: ModelRecord, at: Condition, thrust: float, sizes: Vector, x: IsolationState
 ) -> None:
     """What a unit of each fault does to the residuals, lasting, by differences of `agreement`.
 
@@ -105,18 +107,19 @@ def signatures(
     second); drifts of roll, pitch and yaw (a radian that has come about); all of the thrust lost.
 
     Args:
-        m, at, thrust, signals: as `agreement` takes them.
+        m, at, thrust: as `agreement` takes them.
+        sizes: of the errors that have to be reckoned with; differences are taken over a part of them.
         x: ISOLATION; `signature` is written.
     """
-    now, frame, out = x.agreement, x.frame, x.signature
-    agreement(m, at, thrust, signals, frame, now)
+    below, frame, out = x.agreement, x.frame, x.signature
     for j in range(COUNT):
-        kept = signals[j]
-        signals[j] = kept + STEP
-        agreement(m, at, thrust, signals, frame, out[j])
-        signals[j] = kept
+        step = STEP * sizes[j]
+        _move(m, at, thrust, x, j, -step)
+        agreement(m, at, thrust, x.moved, frame, below)
+        _move(m, at, thrust, x, j, step)
+        agreement(m, at, thrust, x.moved, frame, out[j])
         for k in range(RESIDUALS):
-            out[j, k] = 0.0 if GYRO_X <= k < LIFT else (out[j, k] - now[k]) / STEP
+            out[j, k] = 0.0 if GYRO_X <= k < LIFT else (out[j, k] - below[k]) / (2.0 * step)
     for axis in range(3):
         out[ROLL_RATE + axis, GYRO_X + axis] = 1.0
         position = NORTH if axis == 0 else EAST if axis == 1 else ALTITUDE
@@ -144,7 +147,18 @@ def signatures(
             out[DRIFT_ROW + axis, GYRO_X + k] = -turned[k]
     for k in range(RESIDUALS):
         out[THRUST_ROW, k] = 0.0
-    out[THRUST_ROW, FORCE] = -thrust * math.cos(signals[ALPHA]) / m.mass
+    out[THRUST_ROW, FORCE] = -thrust * math.cos(x.signals[ALPHA]) / m.mass
+
+
+@compiled
+def _move(
+    m: ModelRecord, at: Condition, thrust: float, x: IsolationState, j: int, step: float
+) -> None:
+    """Signals with one reading moved, and what the model makes of it, to `x.moved`."""
+    for i in range(COUNT):
+        x.moved[i] = x.signals[i]
+    x.moved[j] += step
+    modelled(m, at, thrust, x, x.moved)
 
 
 @compiled
@@ -176,7 +190,7 @@ def load_factor_of_lift(
     lift = lift_without_thrust(m, at, thrust, signals, alpha)
     for _ in range(3):
         slope = alpha_slope(at, lift)
-        lift += (wanted - angle_of_attack(at, lift)) / max(slope, STEP)
+        lift += (wanted - angle_of_attack(at, lift)) / max(slope, LEAST_SLOPE)
     area = pressure_area(at, signals[AIRSPEED])
     normal = (lift * area + thrust * math.sin(alpha)) / (m.mass * STANDARD_GRAVITY)
     return float((normal - signals[LOAD_X] * math.sin(alpha)) / math.cos(alpha))
@@ -186,3 +200,23 @@ def load_factor_of_lift(
 def sideslip_of_side_force(m: ModelRecord, at: Condition, signals: Vector) -> float:
     """Sideslip [rad] that the load factor to the side tells of; 0 where the model does not know it."""
     return 0.0
+
+
+@compiled
+def modelled(
+    m: ModelRecord, at: Condition, thrust: float, x: IsolationState, signals: Vector
+) -> None:
+    """Signals that the model tells where their instruments are excluded: alpha, sideslip, load factor z.
+
+    Args:
+        m, at, thrust: as `agreement` takes them.
+        x: ISOLATION; who is excluded.
+        signals: (COUNT,), changed in place.
+    """
+    if x.excluded[ALPHA] != ACCEPTED:
+        signals[ALPHA] = lifting_alpha(m, at, thrust, signals) + x.windows.baseline[LIFT]
+    elif x.excluded[LOAD_Z] != ACCEPTED:
+        off = x.windows.baseline[LIFT]
+        signals[LOAD_Z] = load_factor_of_lift(m, at, thrust, signals, off)
+    if x.excluded[SIDESLIP] != ACCEPTED:
+        signals[SIDESLIP] = sideslip_of_side_force(m, at, signals)

@@ -3,13 +3,12 @@
 import math
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.isolation.navigation import air_velocity, body_rates_of, to_level, wrapped
+from ftc_jsb.isolation.navigation import air_velocity, body_rates_of, wrapped
 from ftc_jsb.isolation.records import (
     ACCEPTED,
     COUNT,
     DISAGREES,
     INERTIAL_X,
-    LIFT,
     LONGEST,
 )
 from ftc_jsb.isolation.redundancy import (
@@ -27,16 +26,16 @@ from ftc_jsb.isolation.redundancy import (
     SIDESLIP,
     YAW,
     YAW_RATE,
-    lifting_alpha,
-    load_factor_of_lift,
-    sideslip_of_side_force,
+    modelled,
 )
 from ftc_jsb.point_mass.model import Condition
 from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.kernel_types import IsolationState, ModelRecord, Vector
 
-TURNING_LAG = 0.05  # [s] of body rates by changes of the attitude
-LOAD_LAG = 1.0  # [s] in which an accelerometer's error is found
+TURNING_LAG = 0.03  # [s] of body rates by changes of the attitude
+LOAD_LAG = 5.0  # [s] in which an accelerometer's error is followed
+FOUND = 0.7  # of it, by the observer in the time after its exclusion
+SETTLED = 2.5  # [s] until a wrong acceleration has left the observer
 FAR = 1e3  # of any unit
 AIR_LAG = 5.0  # [s]: velocity over the ground without a position goes to that through the air
 
@@ -71,6 +70,9 @@ def accept(
     for axis in range(2):
         k = LOAD_X + axis
         if x.excluded[k] != ACCEPTED:
+            if 0.0 < x.wait <= dt:  # the observer has found most of what is left
+                x.away[k] -= n.acceleration[axis] / (FOUND * STANDARD_GRAVITY)
+                n.acceleration[axis], x.residual[INERTIAL_X + axis] = 0.0, 0.0
             x.away[k] += dt / LOAD_LAG * x.residual[INERTIAL_X + axis] / STANDARD_GRAVITY
             x.signals[k] = x.readings[k] - x.away[k]
     if x.excluded[AIRSPEED] != ACCEPTED:
@@ -79,12 +81,7 @@ def accept(
             + (n.velocity[1] - n.wind[1]) ** 2
             + (n.velocity[2] - n.wind[2]) ** 2
         )
-    if x.excluded[ALPHA] != ACCEPTED:
-        x.signals[ALPHA] = lifting_alpha(m, at, thrust, x.signals) + x.windows.baseline[LIFT]
-    if x.excluded[SIDESLIP] != ACCEPTED:
-        x.signals[SIDESLIP] = sideslip_of_side_force(m, at, x.signals)
-    if x.excluded[LOAD_Z] != ACCEPTED:
-        x.signals[LOAD_Z] = load_factor_of_lift(m, at, thrust, x.signals, x.windows.baseline[LIFT])
+    modelled(m, at, thrust, x, x.signals)
     _positions(x, dt)
 
 
@@ -135,23 +132,27 @@ def exclude(x: IsolationState, k: int, reason: int) -> None:
         reason: not ACCEPTED.
     """
     x.excluded[k] = reason
-    x.agrees[k], x.away[k], x.apart[k] = 0.0, 0.0, FAR
+    if reason == DISAGREES:  # two that stand in for one another: the first decision was wrong
+        other = LOAD_Z if k == ALPHA else ALPHA if k == LOAD_Z else -1
+        other = LOAD_Y if k == SIDESLIP else SIDESLIP if k == LOAD_Y else other
+        if other >= 0 and x.excluded[other] == DISAGREES:
+            x.excluded[other] = ACCEPTED
+    x.agrees[k], x.apart[k] = 0.0, FAR
+    x.away[k] = x.amplitude[k] if reason == DISAGREES else 0.0
     n, w = x.navigation, x.windows
     if w.count > 0:
         oldest = w.next if w.count >= LONGEST else 0
         for axis in range(3):
             n.wind[axis] = w.winds[oldest, axis]
+        if reason == DISAGREES:
+            x.before = w.estimates[oldest]
     if LOAD_X <= k <= LOAD_Z:
-        axis = k - LOAD_X
-        off = x.residual[INERTIAL_X + axis]
-        x.away[k] = off / STANDARD_GRAVITY
-        back = to_level(
-            x.frame[0],
-            x.frame[1],
-            x.frame[2],
-            (off if axis == 0 else 0.0, off if axis == 1 else 0.0, off if axis == 2 else 0.0),
-        )
-        for j in range(3):
-            n.acceleration[j] += back[j]
+        n.acceleration[k - LOAD_X] = 0.0
+        x.wait = SETTLED
     elif ROLL_RATE <= k <= YAW_RATE:
-        x.away[k] = x.readings[k] - x.turning[k - ROLL_RATE]
+        for axis in range(3):  # which the wrong rate has turned
+            n.attitude[axis], n.steady[axis] = x.euler[axis], x.euler[axis]
+    elif ROLL <= k <= YAW:
+        for axis in range(3):  # which the wrong attitude has drawn
+            n.attitude[axis] = n.steady[axis]
+        x.wait = SETTLED

@@ -10,6 +10,7 @@ from ftc_jsb.vocabulary.kernel_types import IsolationSettings, IsolationState, V
 
 SILENT_TIME = 0.1  # [s]
 ROUGH_LAG = 0.5  # [s]
+MOST = 100.0  # times the noise's power: a single jump is no noise
 ROUGH = 20.0  # times the noise's power
 ROUGH_BY_GUSTS = 10.0  # and in moderate turbulence, which shakes vanes and accelerometers
 JUMP = 8.0  # standard deviations
@@ -41,7 +42,7 @@ def notice_readings(s: IsolationSettings, x: IsolationState, raw: Vector, dt: fl
         if s.noise[k] > 0.0:
             # the change of a change of independent readings has six times their variance
             power = (change - x.change[k]) ** 2 / (6.0 * s.noise[k] ** 2)
-            x.rough[k] += share * (min(power, 100.0 * ROUGH) - x.rough[k])
+            x.rough[k] += share * (min(power, MOST) - x.rough[k])
         x.change[k] = change
         x.readings[k] = raw[k]
 

@@ -3,10 +3,10 @@
 import math
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.isolation.records import AIR_X, FORCE, LONGEST, RESIDUALS, SPANS
+from ftc_jsb.isolation.records import AIR_X, FORCE, LIFT, LONGEST, RESIDUALS, SPANS
+from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.kernel_types import IsolationSettings, Vector, Windows
 
-SETTLING = 50  # blocks at the start, until position and wind are known
 MEMORY = 300.0  # blocks of the baseline
 PRIOR = 20.0  # blocks that what is known before the flight is worth
 GUST_MEMORY = 100.0  # blocks
@@ -15,13 +15,14 @@ GUST_CHANGE = 2.6  # [m^2/s^2]: square of that change in moderate turbulence, on
 WIND_VARIANCE = 2.0  # [m^2/s^2]: of the lasting wind at the start, in moderate turbulence
 TRANSIENT_SHARE = 0.15  # of a change of thrust: what a model of the engine may be off by meanwhile
 TRANSIENT_LAG = 3.0  # blocks
+BENT = 0.5  # of g times an angle that is wrong: what its drag may be off by
+INEXACT = 0.1  # of a residual: what its signature may be off by
 
 
 @compiled
 def empty_windows(w: Windows) -> None:
     """Nothing seen, moderate turbulence."""
     w.filled, w.next, w.count, w.learned = 0, 0, 0, 0
-    w.settling = SETTLING
     w.gust = 1.0
     w.thrust, w.transient = math.nan, 0.0
     for k in range(RESIDUALS):
@@ -35,12 +36,13 @@ def begin_anew(w: Windows) -> None:
 
 
 @compiled
-def add_block(w: Windows, wind: Vector, thrust: float) -> None:
+def add_block(w: Windows, wind: Vector, effectiveness: float, thrust: float) -> None:
     """The block that is full goes into the ring, the oldest into the baseline.
 
     Args:
         w: WINDOWS, changed in place.
         wind: (3,), lasting [m/s].
+        effectiveness: of thrust, as estimated.
         thrust: of the model over mass [m/s^2].
     """
     for k in range(RESIDUALS):
@@ -58,6 +60,7 @@ def add_block(w: Windows, wind: Vector, thrust: float) -> None:
         w.sum[k] = 0.0
     for k in range(3):
         w.winds[place, k] = wind[k]
+    w.estimates[place] = effectiveness
     w.filled = 0
     w.next = (place + 1) % LONGEST
     w.count += 1
@@ -91,11 +94,15 @@ def look_back(w: Windows, span: int) -> None:
 
 @compiled
 def variance(s: IsolationSettings, w: Windows, span: int, k: int) -> float:
-    """Of a mean of residual `k` where nothing is wrong: instruments, gusts, models, the baseline."""
+    """Of a mean of residual `k` about what a fault would make it: instruments, gusts, models, the baseline.
+
+    Signatures are of a model, too: a large residual may be off by a tenth of itself.
+    """
     unknown = PRIOR / (PRIOR + w.learned)
     total = s.calm[span, k] + w.gust * s.gust[span, k] + unknown * s.start[k]
     if AIR_X <= k < AIR_X + 3:
         total += unknown * w.gust * WIND_VARIANCE
     elif k == FORCE:
-        total += (TRANSIENT_SHARE * w.transient) ** 2
-    return float(total)
+        bent = BENT * STANDARD_GRAVITY * w.mean[span, LIFT]
+        total += (TRANSIENT_SHARE * w.transient) ** 2 + bent * bent
+    return float(total + (INEXACT * w.mean[span, k]) ** 2)

@@ -8,6 +8,7 @@ import numpy.typing as npt
 from ftc_jsb.disturbance.sensor_profiles import PROFILES, Errors
 from ftc_jsb.isolation.records import (
     AIR_X,
+    DRIFT_ROW,
     FORCE,
     GYRO_X,
     INERTIAL_X,
@@ -16,6 +17,7 @@ from ftc_jsb.isolation.records import (
     RESIDUALS,
     SIDE,
     SPANS,
+    THRUST_ROW,
 )
 from ftc_jsb.isolation.variances import CALM, GUST, START
 from ftc_jsb.vocabulary.signals import ANGLES, SENSED
@@ -42,6 +44,25 @@ TOLERANCE = {  # within which an excluded instrument agrees again
     "east": 10.0,
     "elevator_position": 0.5,
     "flap_position": 0.5,
+}
+SIZE = {  # standard deviation of the errors that have to be reckoned with; positions: of their drift
+    "airspeed": 20.0,  # m/s
+    "altitude": 20.0,  # m/s
+    "alpha": 5.0,  # deg, as all angles
+    "sideslip": 5.0,
+    "roll": 20.0,
+    "pitch": 20.0,
+    "yaw": 20.0,
+    "roll_rate": 20.0,  # deg/s
+    "pitch_rate": 20.0,
+    "yaw_rate": 20.0,
+    "load_factor_x": 1.0,
+    "load_factor_y": 1.0,
+    "load_factor_z": 2.0,
+    "north": 20.0,  # m/s
+    "east": 20.0,
+    "elevator_position": 5.0,
+    "flap_position": 5.0,
 }
 MADE_OF = {  # instruments that make up a residual
     INERTIAL_X: ("load_factor_x", "roll", "pitch", "north", "east", "altitude"),
@@ -81,6 +102,9 @@ def isolation_settings(
         period = 1.0 / errors.rate if errors.rate > 0.0 else dt
         s["stale"][index] = max(STALE, STALE_PERIODS * period)
         s["tolerance"][index] = TOLERANCE[name] * unit
+        s["size"][index] = SIZE[name] * unit
+    s["size"][DRIFT_ROW:THRUST_ROW] = s["size"][SENSED.index("roll")]
+    s["size"][THRUST_ROW] = 1.0
     s["position_lag"] = [sensors[name].delay for name in ("north", "east", "altitude")]
     late = sensors["roll"].delay - sensors["roll_rate"].delay
     s["gyro_lead"] = min(max(late / dt + 0.5, 0.0), 1.0)
