@@ -8,6 +8,7 @@ from ftc_jsb.estimation.process import place_of_channel
 from ftc_jsb.frames import measure_path
 from ftc_jsb.isolation.isolate import confirm_thrust, isolate, start_isolation
 from ftc_jsb.isolation.records import ACCEPTED, COUNT
+from ftc_jsb.isolation.redundancy import LOAD_X, LOAD_Z
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.vocabulary.channels import THRUST
 from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, THRUST_LOSS, UNKNOWN
@@ -53,7 +54,7 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
         if _any_excluded(iso):
             _write(iso.signals, row)
             measure_path(row)
-            if iso.wait > 0.0:  # an accelerometer's error is not known yet
+            if iso.wait > 0.0 and _load_excluded(iso):  # its error is not known yet
                 row.acceleration_meas = math.nan
     row.suspect, row.suspect_probability = iso.suspect, iso.probability
     row.isolation_statistic = iso.statistic
@@ -67,6 +68,14 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
 @compiled
 def _any_excluded(iso: IsolationState) -> bool:
     for k in range(COUNT):
+        if iso.excluded[k] != ACCEPTED:
+            return True
+    return False
+
+
+@compiled
+def _load_excluded(iso: IsolationState) -> bool:
+    for k in range(LOAD_X, LOAD_Z + 1):
         if iso.excluded[k] != ACCEPTED:
             return True
     return False

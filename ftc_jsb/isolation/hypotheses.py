@@ -72,7 +72,10 @@ def likelihood_ratio(s: IsolationSettings, x: IsolationState, span: int, row: in
     w = x.windows
     along, square = 0.0, 0.0
     for k in range(RESIDUALS):
-        expected = x.signature[row, k] * _come(row, k, SPANS[span] * BLOCK)
+        if row == THRUST_ROW and k == FORCE:  # what was lost is a share of what was asked for
+            expected = -w.mean_thrust[span]
+        else:
+            expected = x.signature[row, k] * _come(row, k, SPANS[span] * BLOCK)
         if expected != 0.0:
             v = variance(s, w, span, k)
             along += expected * w.mean[span, k] / v

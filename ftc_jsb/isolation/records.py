@@ -61,6 +61,8 @@ WINDOWS = np.dtype(
         ("filled", np.int64),  # samples of it
         ("blocks", float, (LONGEST, RESIDUALS)),  # a ring of their means
         ("winds", float, (LONGEST, 3)),  # lasting wind at the time [m/s]
+        ("thrusts", float, (LONGEST,)),  # of the model over mass at the time [m/s^2]
+        ("mean_thrust", float, (len(SPANS),)),  # of each span
         ("estimates", float, (LONGEST,)),  # effectiveness of thrust at the time
         ("next", np.int64),  # place in the ring
         ("count", np.int64),  # blocks in it since it was emptied, or more
@@ -86,6 +88,7 @@ ISOLATION = np.dtype(
         ("excluded", np.int64, (COUNT,)),  # ACCEPTED, or why not
         ("away", float, (COUNT,)),  # error that is found of an excluded gyro or accelerometer
         ("apart", float, (COUNT,)),  # of an excluded one: reading less accepted, lagged
+        ("out", float, (COUNT,)),  # [s] since it is excluded, of a gyro
         ("agrees", float, (COUNT,)),  # [s] for which an excluded one has agreed again
         ("euler", float, (3,)),  # roll, pitch, yaw of the last sample [rad]
         ("turning", float, (3,)),  # body rates by their changes, lagged [rad/s]

@@ -33,7 +33,8 @@ from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.kernel_types import IsolationState, ModelRecord, Vector
 
 TURNING_LAG = 0.03  # [s] of body rates by changes of the attitude
-LOAD_LAG = 5.0  # [s] in which an accelerometer's error is followed
+LOAD_LAG = 5.0  # [s] in which the error of a gyro or an accelerometer is followed
+FIRST_GUESS = 0.3  # [s] of the attitude's turning that the first guess of a gyro's error is worth
 FOUND = 0.7  # of it, by the observer in the time after its exclusion
 SETTLED = 2.5  # [s] until a wrong acceleration has left the observer
 FAR = 1e3  # of any unit
@@ -63,7 +64,9 @@ def accept(
     for axis in range(3):
         k = ROLL_RATE + axis
         if x.excluded[k] == DISAGREES:
-            x.away[k] += dt / LOAD_LAG * (x.readings[k] - x.turning[axis] - x.away[k])
+            x.out[k] += dt
+            share = dt / min(LOAD_LAG, x.out[k] + FIRST_GUESS)
+            x.away[k] += share * (x.readings[k] - x.turning[axis] - x.away[k])
             x.signals[k] = x.readings[k] - x.away[k]
         elif x.excluded[k] != ACCEPTED:
             x.signals[k] = x.turning[axis]
@@ -137,7 +140,7 @@ def exclude(x: IsolationState, k: int, reason: int) -> None:
         other = LOAD_Y if k == SIDESLIP else SIDESLIP if k == LOAD_Y else other
         if other >= 0 and x.excluded[other] == DISAGREES:
             x.excluded[other] = ACCEPTED
-    x.agrees[k], x.apart[k] = 0.0, FAR
+    x.agrees[k], x.apart[k], x.out[k] = 0.0, FAR, 0.0
     x.away[k] = x.amplitude[k] if reason == DISAGREES else 0.0
     n, w = x.navigation, x.windows
     if w.count > 0:
@@ -152,6 +155,7 @@ def exclude(x: IsolationState, k: int, reason: int) -> None:
     elif ROLL_RATE <= k <= YAW_RATE:
         for axis in range(3):  # which the wrong rate has turned
             n.attitude[axis], n.steady[axis] = x.euler[axis], x.euler[axis]
+        x.wait = SETTLED
     elif ROLL <= k <= YAW:
         for axis in range(3):  # which the wrong attitude has drawn
             n.attitude[axis] = n.steady[axis]

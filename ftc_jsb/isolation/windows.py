@@ -61,6 +61,7 @@ def add_block(w: Windows, wind: Vector, effectiveness: float, thrust: float) -> 
     for k in range(3):
         w.winds[place, k] = wind[k]
     w.estimates[place] = effectiveness
+    w.thrusts[place] = thrust
     w.filled = 0
     w.next = (place + 1) % LONGEST
     w.count += 1
@@ -83,13 +84,17 @@ def _feel_gusts(w: Windows, place: int) -> None:
 
 @compiled
 def look_back(w: Windows, span: int) -> None:
-    """Means over the last blocks of a span, less the baseline, to `w.mean`."""
+    """Means over the last blocks of a span: residuals less their baseline to `w.mean`, and thrust."""
     blocks = SPANS[span]
     for k in range(RESIDUALS):
         total = 0.0
         for b in range(1, blocks + 1):
             total += w.blocks[(w.next - b + LONGEST) % LONGEST, k]
         w.mean[span, k] = total / blocks - w.baseline[k]
+    total = 0.0
+    for b in range(1, blocks + 1):
+        total += w.thrusts[(w.next - b + LONGEST) % LONGEST]
+    w.mean_thrust[span] = total / blocks
 
 
 @compiled
