@@ -6,6 +6,7 @@ takes the effectiveness from. It reads one row of the recording and writes its d
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.attainment import record_attainment
+from ftc_jsb.control.believed_readings import isolate_faults
 from ftc_jsb.control.decision import (
     demand_of_law,
     drag_beyond_polar,
@@ -16,7 +17,6 @@ from ftc_jsb.control.decision import (
     tracking_errors,
     wanted_rates,
 )
-from ftc_jsb.control.believed_readings import isolate_faults
 from ftc_jsb.control.envelope import keep_inside_envelope
 from ftc_jsb.control.inner_loop_command import command_inner_loop
 from ftc_jsb.control.known_state import update_known_state

@@ -1,9 +1,9 @@
 """Who it was: generalised likelihood ratios of every fault over every span, and their probabilities.
 
-A fault of unknown size a that began a span ago moves the residuals' means by a times its signature. With
-independent means of variance V the logarithm of the likelihood ratio against "nothing is wrong", at the size that
-fits best, is (sum s d / V)^2 / (2 sum s^2 / V) (Willsky and Jones 1976); faults of impossible sizes are held back
-by adding 1 / size^2 below. The span in which it is the largest says
+A fault of unknown size a that began a span ago moves the residuals' means d by a times its signature s. With
+independent means of variance V the logarithm of the likelihood ratio against "nothing is wrong", at the size
+that fits best, is (sum s d / V)^2 / (2 sum s^2 / V) (Willsky and Jones 1976); faults of impossible sizes are
+held back by adding 1 / size^2 below. The span in which it is the largest says
 since when; probabilities are those of Bayes over that span.
 """
 
@@ -84,7 +84,7 @@ def likelihood_ratio(s: IsolationSettings, x: IsolationState, span: int, row: in
         return 0.0
     square += 1.0 / s.size[row] ** 2
     x.amplitude[row] = along / square
-    return 0.5 * along * along / square
+    return float(0.5 * along * along / square)
 
 
 @compiled
@@ -122,7 +122,7 @@ def judge(x: IsolationState) -> int:
         h, odds = THRUST_LOSS, THRUST_ODDS
         if row < COUNT:
             h = FIRST_INSTRUMENT + row
-            pick_off, attitude = row == ELEVATOR or row == FLAP, ROLL <= row <= YAW
+            pick_off, attitude = row in (ELEVATOR, FLAP), ROLL <= row <= YAW
             odds = PICK_OFF_ODDS if pick_off else ATTITUDE_ODDS if attitude else 1.0
         elif row < THRUST_ROW:
             h, odds = FIRST_INSTRUMENT + ROLL + row - DRIFT_ROW, ATTITUDE_ODDS

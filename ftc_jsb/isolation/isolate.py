@@ -58,7 +58,9 @@ from ftc_jsb.vocabulary.kernel_types import (
 
 SURE = 0.95  # probability of one hypothesis
 SURE_OF_THRUST = 0.9  # nothing is excluded by it
-CONFIRMED = 6.0  # [s] since a loss of thrust: positions have long told what accelerometers are worth
+CONFIRMED = (
+    6.0  # [s] since a loss of thrust: positions have long told what accelerometers are worth
+)
 LONG = 2.0  # [s]: then the most probable one has to do
 RECOVERY = 2.0  # [s] of the effectiveness after an instrument's fault
 APART_LAG = 3.0  # [s]
@@ -180,10 +182,20 @@ def _see_residuals(
         x.residual[INERTIAL_X + k] = -n.acceleration[k]
         x.residual[AIR_X + k] = through[k]
         x.residual[GYRO_X + k] = gyros[k]
-        if x.excluded[ROLL_RATE + k] != ACCEPTED:  # it is told by the attitude alone
+        if _gyro_excluded(
+            x
+        ):  # the attitude, which its stand-in comes from, cannot judge the others as well
             x.residual[GYRO_X + k] = 0.0
     for k in range(LIFT, RESIDUALS):
         x.residual[k] = now[k]
+
+
+@compiled
+def _gyro_excluded(x: IsolationState) -> bool:
+    for k in range(ROLL_RATE, YAW_RATE + 1):
+        if x.excluded[k] != ACCEPTED:
+            return True
+    return False
 
 
 @compiled
@@ -213,10 +225,10 @@ def _decide(s: IsolationSettings, x: IsolationState) -> None:
 
 @compiled
 def confirm_thrust(x: IsolationState, effectiveness: float, dt: float) -> None:
-    """Count on the thrust that is estimated to be left, once a loss has long been declared and not been doubted.
+    """Count on the thrust that is estimated to be left, once a loss has been declared long enough.
 
-    Until then the force along the velocity is weighed against the thrust of before, so that an accelerometer can
-    still be found out.
+    Until then the force along the velocity is weighed against the thrust of before, so that an
+    accelerometer can still be found out.
 
     Args:
         x: ISOLATION.

@@ -71,9 +71,7 @@ def air_velocity(
     """Velocity [m/s] through the air, north, east, down."""
     ca, sa = math.cos(alpha), math.sin(alpha)
     cb, sb = math.cos(sideslip), math.sin(sideslip)
-    return to_level(
-        roll, pitch, yaw, (airspeed * ca * cb, airspeed * sb, airspeed * sa * cb)
-    )
+    return to_level(roll, pitch, yaw, (airspeed * ca * cb, airspeed * sb, airspeed * sa * cb))
 
 
 @compiled

@@ -104,7 +104,10 @@ ISOLATION = np.dtype(
         ("probabilities", float, (len(HYPOTHESES),)),
         ("suspect", np.int64),  # place in HYPOTHESES
         ("probability", float),
-        ("before", float),  # effectiveness of thrust that an instrument has spoilt since; nan = it has not
+        (
+            "before",
+            float,
+        ),  # effectiveness of thrust that an instrument has spoilt since; nan = it has not
         ("wait", float),  # [s] until the residuals mean something again
         ("ambiguous", float),  # [s] for which nobody has stood out
         ("thrust", np.int64),  # 1 from a loss of thrust on, until it is back

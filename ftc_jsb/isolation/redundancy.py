@@ -1,6 +1,7 @@
 """What instruments and model have to agree on, and what each instrument would do to that agreement."""
 
 import math
+
 from ftc_jsb.compiled import compiled
 from ftc_jsb.isolation.navigation import (
     air_velocity,
@@ -120,7 +121,7 @@ def signatures(
         agreement(m, at, thrust, x.moved, frame, out[j])
         for k in range(RESIDUALS):
             out[j, k] = 0.0 if GYRO_X <= k < LIFT else (out[j, k] - below[k]) / (2.0 * step)
-        if j == ALPHA or j == SIDESLIP:  # drag over angles bends too much to tell anything
+        if j in (ALPHA, SIDESLIP):  # drag over angles bends too much to tell anything
             out[j, FORCE] = 0.0
     for axis in range(3):
         out[ROLL_RATE + axis, GYRO_X + axis] = 1.0
@@ -170,7 +171,7 @@ def lift_without_thrust(
     """Lift coefficient of the load factors, at an angle of attack [rad]."""
     normal = signals[LOAD_Z] * math.cos(alpha) + signals[LOAD_X] * math.sin(alpha)
     area = pressure_area(at, signals[AIRSPEED])
-    return (normal * m.mass * STANDARD_GRAVITY - thrust * math.sin(alpha)) / area
+    return float((normal * m.mass * STANDARD_GRAVITY - thrust * math.sin(alpha)) / area)
 
 
 @compiled
@@ -179,7 +180,7 @@ def lifting_alpha(m: ModelRecord, at: Condition, thrust: float, signals: Vector)
     alpha = signals[ALPHA]
     for _ in range(2):
         alpha = angle_of_attack(at, lift_without_thrust(m, at, thrust, signals, alpha))
-    return alpha
+    return float(alpha)
 
 
 @compiled

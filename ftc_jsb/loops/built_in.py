@@ -148,7 +148,11 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["detector_margin"] = detector.margin
     s["detector_sigmas"] = detector.sigmas
     s["detector_hold"] = detector.hold
-    s["isolation"] = isolation_settings(sensor_errors(setup.sensors), kind.robust, dt)
+    enabled = kind.robust if loop.isolation.enabled is None else loop.isolation.enabled
+    knows_drag = model[0]["measured_mach_count"] > 0
+    s["isolation"] = isolation_settings(
+        sensor_errors(setup.sensors), enabled and knows_drag, loop.isolation.false_alarms, dt
+    )
     return settings
 
 

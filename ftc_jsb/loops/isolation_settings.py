@@ -19,10 +19,10 @@ from ftc_jsb.isolation.records import (
     SPANS,
     THRUST_ROW,
 )
-from ftc_jsb.isolation.variances import CALM, GUST, START
+from ftc_jsb.isolation.scatter import CALM, GUST, START
 from ftc_jsb.vocabulary.signals import ANGLES, SENSED
 
-THRESHOLD = 18.0
+THRESHOLD, AT = 18.0, 0.01  # log likelihood ratio that chance exceeds so often an hour
 STALE = 0.25  # [s], or so many periods:
 STALE_PERIODS = 5
 DEGREE = math.radians(1.0)
@@ -75,26 +75,27 @@ MADE_OF = {  # instruments that make up a residual
 
 
 def isolation_settings(
-    sensors: dict[str, Errors], enabled: bool, dt: float
+    sensors: dict[str, Errors], enabled: bool, false_alarms: float, dt: float
 ) -> npt.NDArray[np.void]:
     """() ISOLATION_SETTINGS for a suite of sensors.
 
     Args:
         sensors: errors of each signal, angles in degrees.
         enabled: whether faults are isolated at all.
+        false_alarms: an hour, that the threshold is meant for.
         dt: sample time of the loop [s].
     """
     result = np.zeros((), ISOLATION_SETTINGS)
     s = result
     s["enabled"] = enabled
-    s["threshold"] = THRESHOLD
+    s["threshold"] = threshold(false_alarms)
     scale = np.ones(RESIDUALS)
     for first, names in MADE_OF.items():
         width = 3 if first < LIFT else 1
         scale[first : first + width] = max(_worse(sensors[name], name) for name in names)
-    s["calm"] = np.asarray(CALM).reshape(len(SPANS), RESIDUALS) * scale
-    s["gust"] = np.asarray(GUST).reshape(len(SPANS), RESIDUALS)
-    s["start"] = np.asarray(START) * scale
+    s["calm"] = np.square(CALM) * scale
+    s["gust"] = np.square(GUST)
+    s["start"] = np.square(START) * scale
     for index, name in enumerate(SENSED):
         unit = DEGREE if name in ANGLES else 1.0
         errors = sensors[name]
@@ -109,6 +110,11 @@ def isolation_settings(
     late = sensors["roll"].delay - sensors["roll_rate"].delay
     s["gyro_lead"] = min(max(late / dt + 0.5, 0.0), 1.0)
     return result
+
+
+def threshold(false_alarms: float) -> float:
+    """Log likelihood ratio for a number of false alarms an hour: chance falls off as its exponential."""
+    return THRESHOLD - math.log(false_alarms / AT)
 
 
 def _worse(errors: Errors, name: str) -> float:
