@@ -62,10 +62,10 @@ class Simulation(Section):
 class Agreement(Section):
     """[compare.agreement]: RMS differences up to which a point mass and the 6-DOF aircraft agree."""
 
-    airspeed: float = Field(0.3, gt=0.0, le=1e3)  # m/s
-    flight_path_deg: float = Field(0.1, gt=0.0, le=90.0)
+    airspeed: float = Field(0.3, ge=1e-9, le=1e3)  # m/s
+    flight_path_deg: float = Field(0.1, ge=1e-9, le=90.0)
     heading_deg: float = Field(0.2, gt=0.0, le=180.0)
-    position: float = Field(25.0, gt=0.0, le=1e6)  # m
+    position: float = Field(25.0, ge=1e-9, le=1e6)  # m
 
 
 class Compare(Section):

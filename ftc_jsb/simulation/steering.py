@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+
 from pydantic import ValidationError
 
 from ftc_jsb.disturbance.faults import CAPACITY, FIRST_SENSOR, TARGETS, fault_records, schedule
