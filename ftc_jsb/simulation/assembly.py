@@ -123,6 +123,12 @@ def blank_recording(scenario: Scenario, engines: int = 1) -> npt.NDArray[Any]:
     stands in the recording before the flight; whoever changes it in flight rewrites the rows to come.
     """
     record = np.empty(scenario.samples + 1, ROW)
+    fill_blank(record, scenario, engines)
+    return record
+
+
+def fill_blank(record: npt.NDArray[Any], scenario: Scenario, engines: int) -> None:
+    """Make memory of (rows,) ROW, whatever stood there, a blank recording of `scenario`."""
     numbers(record).fill(math.nan)
     record["time"] = np.arange(record.size) / scenario.loop.rate
     commands = raw_commands(scenario.reference, record["time"])
@@ -131,4 +137,3 @@ def blank_recording(scenario: Scenario, engines: int = 1) -> npt.NDArray[Any]:
     record["heading_cmd_raw"] = commands[:, 2]
     record["altitude_cmd_raw"] = commands[:, 3]
     schedule(fault_records(scenario.fault), engines, record)
-    return record
