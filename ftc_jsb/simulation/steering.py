@@ -7,6 +7,7 @@ from typing import Any
 import numpy.typing as npt
 from pydantic import ValidationError
 
+from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import CAPACITY, FIRST_SENSOR, TARGETS, fault_records, schedule
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.built_in import BUILT_IN, CompiledLoop, loop_settings
@@ -51,6 +52,11 @@ class Steering:
         self._record = flown.record
         self._faults = scenario.fault
         self.applied: list[Applied] = []
+
+    @property
+    def setup(self) -> LoopSetup:
+        """What the loop is built from, settings as they are now."""
+        return self._setup
 
     def apply_all(self, commands: Iterable[Command], row: int) -> bool:
         """Apply commands before `row` is flown, as `apply`; whether the flight goes on."""
