@@ -11,7 +11,7 @@ from ftc_jsb.vocabulary.channels import Channel
 _Gain = Annotated[float, Field(ge=0.0, le=100.0)]
 
 
-_Variance = Annotated[float, Field(gt=0.0, le=1e6)]
+_Variance = Annotated[float, Field(ge=1e-30, le=1e6)]
 
 
 class Estimator(Section):
