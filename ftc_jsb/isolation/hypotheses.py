@@ -24,7 +24,7 @@ from ftc_jsb.isolation.records import (
     SPANS,
     THRUST_ROW,
 )
-from ftc_jsb.isolation.redundancy import ELEVATOR, FLAP, ROLL, YAW
+from ftc_jsb.isolation.redundancy import ELEVATOR, ROLL, RUDDER, YAW
 from ftc_jsb.isolation.windows import look_back, variance
 from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, HYPOTHESES, THRUST_LOSS, UNKNOWN
 from ftc_jsb.vocabulary.kernel_types import IsolationSettings, IsolationState
@@ -120,7 +120,7 @@ def judge(x: IsolationState) -> int:
         h, odds = THRUST_LOSS, THRUST_ODDS
         if row < COUNT:
             h = FIRST_INSTRUMENT + row
-            pick_off, attitude = row in (ELEVATOR, FLAP), ROLL <= row <= YAW
+            pick_off, attitude = ELEVATOR <= row <= RUDDER, ROLL <= row <= YAW
             odds = PICK_OFF_ODDS if pick_off else ATTITUDE_ODDS if attitude else 1.0
         elif row < THRUST_ROW:
             h, odds = FIRST_INSTRUMENT + ROLL + row - DRIFT_ROW, ATTITUDE_ODDS

@@ -5,7 +5,7 @@ import math
 from ftc_jsb.compiled import compiled
 from ftc_jsb.isolation.navigation import wrapped
 from ftc_jsb.isolation.records import ACCEPTED, COUNT, JUMPED, NOISY, SILENT, STALE
-from ftc_jsb.isolation.redundancy import ELEVATOR, FLAP, ROLL, YAW
+from ftc_jsb.isolation.redundancy import ELEVATOR, ROLL, RUDDER, YAW
 from ftc_jsb.vocabulary.kernel_types import IsolationSettings, IsolationState, Vector
 
 SILENT_TIME = 0.1  # [s]
@@ -55,7 +55,7 @@ def own_fault(s: IsolationSettings, x: IsolationState, k: int) -> int:
     if s.noise[k] > 0.0:
         if x.same[k] > s.stale[k]:
             return STALE
-        pick_off = k == ELEVATOR or k == FLAP  # a surface moves as quickly as it is told to
+        pick_off = ELEVATOR <= k <= RUDDER  # a surface moves as quickly as it is told to
         if not pick_off and x.rough[k] > ROUGH + ROUGH_BY_GUSTS * x.windows.gust:
             return NOISY
     return ACCEPTED
