@@ -35,4 +35,4 @@ class LinkServices:
     def request_data_stream(self, message: Any) -> None:
         """The rate of a group of messages."""
         rate = float(message.req_message_rate) if message.start_stop else 0.0
-        self._vehicle.schedule.set_group(message.req_stream_id, rate)
+        self._vehicle.schedule.set_group(message.req_stream_id, rate, self._vehicle.station)

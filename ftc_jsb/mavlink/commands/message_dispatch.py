@@ -20,7 +20,7 @@ class MessageDispatcher:
     def __init__(self, vehicle: VehicleAccess, link: Link, log: TelemetryLog | None) -> None:
         """Args: the vehicle; its identity; where what is acted on is logged."""
         self.ignored = 0  # messages not for us, or on a link that is read-only
-        self._link, self._log = link, log
+        self._vehicle, self._link, self._log = vehicle, link, log
         self._commands = commands = CommandProtocol(vehicle)
         parameters = ParameterProtocol(vehicle)
         services, unsupported = LinkServices(vehicle), UnsupportedServices(vehicle)
@@ -49,6 +49,10 @@ class MessageDispatcher:
     def dispatch(self, message: Any) -> None:
         """Act on a message that has come through."""
         handler = self._handlers.get(message.get_type())
+        station = message.get_srcSystem(), message.get_srcComponent()
+        if not self._link.readonly and station != (self._link.system, COMPONENT):
+            self._vehicle.station = station
+            self._vehicle.schedule.hear(station)
         if handler is None:
             return
         if self._link.readonly or not self._is_for_us(message):
