@@ -152,7 +152,8 @@ class Vehicle:
             else:
                 self._last = self._snapshots.at(*flown, phase, time.time(), self._health())
             self._last_key = key
-        return self._last._replace(unix=time.time(), health=self._health())
+        critical = self._events.critical
+        return self._last._replace(unix=time.time(), health=self._health(), critical=critical)
 
     def send(self, message: type[Any], fields: Mapping[str, Any]) -> None:
         """Send a message to every ground station, and log it; beyond the budget it is counted and gone."""

@@ -61,7 +61,8 @@ STREAMS = (
     Stream(dialect.MAVLink_actuator_output_status_message, 5.0, motion.actuator_output_status, _CONTROL),
     Stream(dialect.MAVLink_hil_state_quaternion_message, 5.0, motion.hil_state_quaternion, _EXTRA),
     Stream(dialect.MAVLink_wind_cov_message, 1.0, motion.wind_cov, _EXTRA),
-    Stream(dialect.MAVLink_named_value_float_message, 5.0, outer_loop.named_value_float, _EXTRA, several=_VALUES),
+    Stream(dialect.MAVLink_estimator_status_message, 1.0, outer_loop.estimator_status, _STATUS),
+    Stream(dialect.MAVLink_named_value_float_message, 5.0, outer_loop.named_value_float, _EXTRA, True, _VALUES),
     Stream(dialect.MAVLink_debug_float_array_message, 10.0, outer_loop.debug_float_array, _EXTRA),
 )  # fmt: skip
 STREAM_BY_ID = {stream.id: stream for stream in STREAMS}
