@@ -22,6 +22,7 @@ from ftc_jsb.cli.inner_loop import inner_loop
 from ftc_jsb.cli.inventory import list_
 from ftc_jsb.cli.margins import margins
 from ftc_jsb.cli.options import examples
+from ftc_jsb.cli.plugin import plugin
 from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
@@ -87,6 +88,6 @@ def main() -> None:
 
 for _command in (
     bench, campaign, check, compare, completion, convert, export, figures, fly,
-    identify, inner_loop, list_, margins, replay, report, schema, theory, warm,
+    identify, inner_loop, list_, margins, plugin, replay, report, schema, theory, warm,
 ):  # fmt: skip
     main.add_command(_command)

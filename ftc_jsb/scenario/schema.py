@@ -19,7 +19,8 @@ from ftc_jsb.scenario.types import Text
 from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.typed_file import Section
 
-Model = Literal["paper", "identified", "jsbsim"]
+Model = Literal["paper", "identified", "jsbsim", "flightgear"]
+FlownHere = Literal["paper", "identified", "jsbsim"]
 
 
 TITLE_LENGTH, DESCRIPTION_LENGTH = 300, 4000  # characters
@@ -71,7 +72,11 @@ class Agreement(Section):
 class Compare(Section):
     """[compare]: what `compare` flies."""
 
-    models: Annotated[tuple[Model, ...], Field(min_length=1)] = ("paper", "identified", "jsbsim")
+    models: Annotated[tuple[FlownHere, ...], Field(min_length=1)] = (
+        "paper",
+        "identified",
+        "jsbsim",
+    )
     loops: Annotated[tuple[Text, ...], Field(min_length=1)] = ("ftc", "no-ftc")
     agreement: Agreement = Agreement()
 

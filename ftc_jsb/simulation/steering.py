@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 from pydantic import ValidationError
 
+from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import CAPACITY, FIRST_SENSOR, TARGETS, fault_records, schedule
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.built_in import BUILT_IN, CompiledLoop, loop_settings
@@ -55,6 +56,11 @@ class Steering:
     def reach(self, beyond: int) -> None:
         """Have what commands have changed written in every row that flying up to row `beyond` reads."""
         self._ahead.reach(beyond)
+
+    @property
+    def setup(self) -> LoopSetup:
+        """What the loop is built from, settings as they are now."""
+        return self._setup
 
     def apply_all(self, commands: Iterable[Command], row: int) -> bool:
         """Apply commands before `row` is flown, as `apply`; whether the flight goes on."""
