@@ -1,7 +1,6 @@
 """The typed `point_mass.toml`: Table 1 of the paper, or an aircraft identified from flights."""
 
 import json
-import tomllib
 from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Self
@@ -20,6 +19,7 @@ from ftc_jsb.aircraft.point_mass_aerodynamics import (
 from ftc_jsb.aircraft.point_mass_record import model_record
 from ftc_jsb.aircraft.point_mass_thrust import Thrust
 from ftc_jsb.errors import AircraftError
+from ftc_jsb.toml_file import TomlError, read_toml
 from ftc_jsb.typed_file import Section, every_problem
 
 
@@ -36,16 +36,16 @@ class LoadFactor(Section):
 
     minimum: Annotated[float, Field(ge=-10.0, le=0.9)]
     maximum: Annotated[float, Field(ge=1.1, le=20.0)]
-    lift_coefficient_max: Annotated[float, Field(gt=0.0, le=10.0)]
+    lift_coefficient_max: Annotated[float, Field(ge=1e-6, le=10.0)]
 
 
 class InnerLoopResponse(Section):
     """Closed inner loop as second-order lags; without it commands act at once."""
 
     load_factor_frequency: Annotated[float, Field(ge=0.0, le=100.0)] = 0.0  # rad/s
-    load_factor_damping: Annotated[float, Field(gt=0.0, le=5.0)] = 1.0
+    load_factor_damping: Annotated[float, Field(ge=1e-6, le=5.0)] = 1.0
     bank_frequency: Annotated[float, Field(ge=0.0, le=100.0)] = 0.0  # rad/s
-    bank_damping: Annotated[float, Field(gt=0.0, le=5.0)] = 1.0
+    bank_damping: Annotated[float, Field(ge=1e-6, le=5.0)] = 1.0
     bank_rate_max: Annotated[float, Field(ge=0.0, le=20.0)] = 0.0  # rad/s; 0 = no limit
     bank_acceleration_max: Annotated[float, Field(ge=0.0, le=1e3)] = 0.0  # rad/s2; 0 = no limit
 
@@ -129,12 +129,10 @@ def load_point_mass(folder: Path) -> PointMass:
 def _read(path: Path, stamp: tuple[int, ...]) -> PointMass:
     """The file as it was at `stamp`; what has changed since has another stamp."""
     try:
-        values = json.dumps(tomllib.loads(path.read_text(encoding="utf-8")), default=str)
+        values = json.dumps(read_toml(path), default=str)
         point_mass = PointMass.model_validate_json(values, strict=True)
-    except (OSError, UnicodeDecodeError) as error:
-        raise AircraftError(f"{path}: cannot be read: {error}") from None
-    except tomllib.TOMLDecodeError as error:
-        raise AircraftError(f"{path}: not TOML: {error}") from None
+    except TomlError as error:
+        raise AircraftError(f"{path}: {error}") from None
     except ValidationError as error:
         raise AircraftError(f"{path}: {every_problem(error, PointMass)}") from None
     _check_whose(path, point_mass)

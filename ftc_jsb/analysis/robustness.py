@@ -56,11 +56,12 @@ def nearest_limit(record: npt.NDArray[Any], limits: Limits) -> Margin:
     nearest = Margin(1.0, "", 0.0)
     for name in type(limits).model_fields:
         bounds = getattr(limits, name)
-        if bounds is None or not np.isfinite(variables[name]).any():
+        if bounds is None:
             continue
         low, high = bounds
         distance = np.minimum(variables[name] - low, high - variables[name]) / (0.5 * (high - low))
-        row = int(np.nanargmin(distance))
-        if distance[row] < nearest.value:
-            nearest = Margin(float(distance[row]), name, float(record["time"][row]))
+        least = float(np.fmin.reduce(distance))  # nan, and so never less, where nothing is recorded
+        if least < nearest.value and np.isfinite(variables[name]).any():
+            row = int(np.argmax(distance == least))
+            nearest = Margin(least, name, float(record["time"][row]))
     return nearest

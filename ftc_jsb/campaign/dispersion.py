@@ -10,7 +10,7 @@ from ftc_jsb.scenario.types import Text
 from ftc_jsb.typed_file import Section
 
 _Number = Annotated[float, Field(ge=-1e9, le=1e9)]
-_Positive = Annotated[float, Field(gt=0.0, le=1e9)]
+_Positive = Annotated[float, Field(ge=1e-12, le=1e9)]
 
 _NEEDS: dict[str, tuple[str, ...]] = {
     "uniform": ("low", "high"),

@@ -19,7 +19,7 @@ from ftc_jsb.campaign.provenance import code_digest
 from ftc_jsb.errors import UserError
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.recording.netcdf import save
-from ftc_jsb.simulation.fly import fly
+from ftc_jsb.simulation.series import Series
 
 Row = dict[str, Any]
 NOT_ROWS = ("real_time_factor",)  # of the machine, not of the flight
@@ -61,13 +61,14 @@ def fly_items(work: Work, items: Sequence[Item]) -> Batch:
     if work.code != code_digest():
         raise UserError("a worker has another version of ftc-jsb, or of what it flies with")
     bases = _bases(work.campaign)
+    series = Series()
     started = time.perf_counter()
     rows: list[Row] = []
     recordings: dict[tuple[int, str], bytes] = {}
     for item in items:
         case, reason = drawn_case(bases, item)
         for model, loop in flights_of(bases):
-            row, flight = _flown(case, model, loop, reason)
+            row, flight = _flown(series, case, (model, loop), reason)
             rows.append(row)
             if flight is not None and _kept(work.keep, row):
                 recordings[item.number, flight.label] = _netcdf(flight)
@@ -116,12 +117,16 @@ def drawn_case(bases: Bases, item: Item) -> tuple[Case, str]:
         return Case(item.number, item.unit or (), {}, {}), str(error)
 
 
-def _flown(case: Case, model: str | None, loop: str, reason: str) -> tuple[Row, Flight | None]:
-    row = identity(case, model, loop)
+def _flown(
+    series: Series, case: Case, pair: tuple[str | None, str], reason: str
+) -> tuple[Row, Flight | None]:
+    row = identity(case, *pair)
     if reason:
         return row | {"verdict": None, "error": reason}, None
     try:
-        flight = fly(scenario_of_case(case, model, loop))
+        flight = series.fly(scenario_of_case(case, *pair))
+        if flight.outcome.status == "interrupted":  # by Ctrl-C, which `fly` makes an outcome of
+            raise KeyboardInterrupt
         return row | row_of(flight), flight
     except UserError as error:
         return row | {"verdict": None, "error": str(error)}, None

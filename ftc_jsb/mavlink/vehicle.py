@@ -106,6 +106,10 @@ class Vehicle:
             self._texts.append((dialect.MAV_SEVERITY_CRITICAL, f"{status}: {reason}"))
         self._end_phase = Phase.OVER if status in ("complete", "ended") else Phase.LOST
 
+    def announce(self, text: str) -> None:
+        """Tell the ground stations something that stands in no row."""
+        self._texts.append((dialect.MAV_SEVERITY_NOTICE, text))
+
     def close(self) -> LinkStatistics:
         """Leave the link; what has gone over it."""
         self._closing.set()

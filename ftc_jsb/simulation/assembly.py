@@ -15,6 +15,7 @@ from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.disturbance.sensors import Instruments, sensor_record
 from ftc_jsb.disturbance.weather import wind_record
+from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.registry import RecordedLoop, build_loop
 from ftc_jsb.recording.columns import ROW, numbers
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
@@ -96,6 +97,10 @@ def build_plant(
 ) -> Plant:
     """The plant of `scenario.model`; an output directive is for JSBSim."""
     simulation = scenario.simulation
+    if scenario.model == "flightgear":
+        raise ScenarioError(
+            "model 'flightgear' is flown in FlightGear: ftc-jsb plugin SCENARIO --flightgear"
+        )
     if scenario.model == "jsbsim":
         from ftc_jsb.six_dof.plant import JsbsimPlant
 
@@ -123,6 +128,12 @@ def blank_recording(scenario: Scenario, engines: int = 1) -> npt.NDArray[Any]:
     stands in the recording before the flight; whoever changes it in flight rewrites the rows to come.
     """
     record = np.empty(scenario.samples + 1, ROW)
+    fill_blank(record, scenario, engines)
+    return record
+
+
+def fill_blank(record: npt.NDArray[Any], scenario: Scenario, engines: int) -> None:
+    """Make memory of (rows,) ROW, whatever stood there, a blank recording of `scenario`."""
     numbers(record).fill(math.nan)
     record["time"] = np.arange(record.size) / scenario.loop.rate
     commands = raw_commands(scenario.reference, record["time"])
@@ -131,4 +142,3 @@ def blank_recording(scenario: Scenario, engines: int = 1) -> npt.NDArray[Any]:
     record["heading_cmd_raw"] = commands[:, 2]
     record["altitude_cmd_raw"] = commands[:, 3]
     schedule(fault_records(scenario.fault), engines, record)
-    return record

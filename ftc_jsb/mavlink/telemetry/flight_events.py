@@ -13,6 +13,7 @@ from ftc_jsb.analysis.limits import limited_variables
 from ftc_jsb.disturbance.faults import ENGINE_OUT, HEALTHY, HELD, TIME_TOLERANCE
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.vocabulary.channels import CHANNELS, ENGINES, SURFACES
+from ftc_jsb.vocabulary.hypotheses import HYPOTHESES, NOBODY
 from ftc_jsb.vocabulary.signals import SENSED
 
 FULL_EFFECTIVENESS = 1.0 - 1e-9  # effectiveness below which there is a fault
@@ -61,6 +62,7 @@ class FlightEvents:
             *self._schedule_events(record, first, beyond),
             *self._sensor_events(record, first, beyond),
             *self._detector_events(record, first, beyond),
+            *self._suspicion_events(record, first, beyond),
             *self._attainment_events(record, first, beyond),
             *self._limit_events(record[first:beyond], first),
         ]
@@ -122,6 +124,22 @@ class FlightEvents:
                 if text:
                     self._isolated = True
                     yield Event(k, WARNING, text)
+
+    def _suspicion_events(
+        self, record: npt.NDArray[Any], first: int, beyond: int
+    ) -> Iterator[Event]:
+        """Whose fault it is believed to be, with its probability."""
+        suspect = np.nan_to_num(record["suspect"][max(first - 1, 0) : beyond]).astype(int)
+        if first == 0:
+            suspect = np.concatenate(([NOBODY], suspect))
+        for k in np.flatnonzero(suspect[1:] != suspect[:-1]):
+            i = first + int(k)
+            who = HYPOTHESES[suspect[k + 1]].replace("_", " ")
+            if suspect[k + 1] == NOBODY:
+                yield Event(i, NOTICE, "nobody is suspect any more")
+            else:
+                sure = float(record[i]["suspect_probability"])
+                yield Event(i, WARNING, f"suspect: {who}, probability {sure:.2f}"[:LONGEST_TEXT])
 
     def _attainment_events(
         self, record: npt.NDArray[Any], first: int, beyond: int
