@@ -221,7 +221,7 @@ class OutsideFlight:
         if flies:
             self._notify("the outer loop flies")
         elif self._flying is not None:
-            self._notify("the inner loop alone flies: wings level, holds speed")
+            self._notify("inner loop alone: wings level, speed held")
 
     def _measure_delay(self, line: Numbers) -> None:
         answered = round(self._value(line, "answered"))

@@ -77,7 +77,10 @@ def judge(flight: Flight, rmse: bool = True) -> None:
     if rmse:
         for name, limit in RMSE.items():
             check(name, metrics[name], limit)
-    truth, estimate = flight.record["effectiveness_thrust"], flight.record["effectiveness_thrust_est"]
+    truth, estimate = (
+        flight.record["effectiveness_thrust"],
+        flight.record["effectiveness_thrust_est"],
+    )
     time_ = flight.record["time"]
     error = np.abs(estimate - truth)
     for changed in time_[1:][np.abs(np.diff(truth)) > 0.01]:
@@ -111,7 +114,9 @@ def time_as_it_is(simulator: Properties, folder: Path) -> None:
         simulator.set(f"/sim/freeze/{switch}", "true")
     before = simulator.get(f"{J}/simulation/sim-time-sec")
     time.sleep(5.0)
-    check("time passed in the pause [s]", simulator.get(f"{J}/simulation/sim-time-sec") - before, 0.2)
+    check(
+        "time passed in the pause [s]", simulator.get(f"{J}/simulation/sim-time-sec") - before, 0.2
+    )
     for switch in ("master", "clock"):
         simulator.set(f"/sim/freeze/{switch}", "false")
     wait_flown(simulator, 8.0)
@@ -144,7 +149,10 @@ def killed_and_restarted(simulator: Properties, folder: Path) -> None:
 
 def bad_line(simulator: Properties, folder: Path) -> None:
     """A tenth of the lines dropped each way, others doubled, out of order, garbled."""
-    print("10 % of lines dropped each way, others doubled, disordered, garbled; fault at 20 s", flush=True)
+    print(
+        "10 % of lines dropped each way, others doubled, disordered, garbled; fault at 20 s",
+        flush=True,
+    )
     with BadLine([Ways(RELAYED[1], SIMULATOR), Ways(LOOP, RELAYED[0])]) as line:
         loop = Loop(folder / "bad-line", (RELAYED[0], RELAYED[1]))
         wait_flown(simulator, 20.0)
@@ -155,19 +163,27 @@ def bad_line(simulator: Properties, folder: Path) -> None:
     simulator.set("/ftc/dialog/repair", 1)
 
 
-FLIGHTS = {"paper": paper, "time": time_as_it_is, "killed": killed_and_restarted, "bad-line": bad_line}
+FLIGHTS = {
+    "paper": paper,
+    "time": time_as_it_is,
+    "killed": killed_and_restarted,
+    "bad-line": bad_line,
+}
 
 
 def pictures(folder: Path, images: Path) -> None:
     """View in the turn and dialog after the fault, as docs/flightgear.md shows them."""
-    with screen("800x600") as display, flightgear(
-        folder, display, "800x600", (LOOP, SIMULATOR), "--enable-hud"
-    ) as simulator:
+    with (
+        screen("900x680") as display,
+        flightgear(folder, display, "900x680", (LOOP, SIMULATOR), "--enable-hud") as simulator,
+    ):
         loop = Loop(folder / "pictures", (LOOP, SIMULATOR))
         simulator.set("/sim/current-view/view-number", 1)
+        simulator.set("/sim/hud/visibility[1]", "false")
         wait_flown(simulator, 8.0)
         picture(display, images / "turn.png")
         simulator.set("/sim/current-view/view-number", 0)
+        simulator.set("/sim/hud/visibility[1]", "true")
         simulator.set("/ftc/dialog/show", 1)
         wait_flown(simulator, 10.0)
         fault_from_dialog(simulator, "thrust lost", 0.6)
@@ -180,7 +196,9 @@ def pictures(folder: Path, images: Path) -> None:
 def main() -> int:
     """Fly."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--pictures", type=Path, metavar="DIR", help="take the pictures of the page")
+    parser.add_argument(
+        "--pictures", type=Path, metavar="DIR", help="take the pictures of the page"
+    )
     parser.add_argument("flights", nargs="*", default=[*FLIGHTS], help=", ".join(FLIGHTS))
     given = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="ftc-jsb-validate-") as temporary:
@@ -189,9 +207,10 @@ def main() -> int:
             given.pictures.mkdir(parents=True, exist_ok=True)
             pictures(folder, given.pictures)
             return 0
-        with screen("320x200") as display, flightgear(
-            folder, display, "320x200", (LOOP, SIMULATOR), FRAMES
-        ) as simulator:
+        with (
+            screen("320x200") as display,
+            flightgear(folder, display, "320x200", (LOOP, SIMULATOR), FRAMES) as simulator,
+        ):
             for name in given.flights:
                 FLIGHTS[name](simulator, folder)
     print("failed: " + "; ".join(failures) if failures else "all as asked for")

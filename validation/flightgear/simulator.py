@@ -43,7 +43,9 @@ class Properties:
         """A number."""
         self._say(f"get {name}")
         said = self._file.readline().strip()
-        return {"true": 1.0, "false": 0.0}.get(said) if said in ("true", "false") else float(said or 0)
+        return (
+            {"true": 1.0, "false": 0.0}.get(said) if said in ("true", "false") else float(said or 0)
+        )
 
     def set(self, name: str, value: object) -> None:
         """A number, or a text."""
@@ -58,7 +60,9 @@ def screen(size: str) -> Iterator[str]:
             break
     name = f":{number}"
     server = subprocess.Popen(
-        ["Xvfb", name, "-screen", "0", f"{size}x24"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        ["Xvfb", name, "-screen", "0", f"{size}x24"],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
     )
     try:
         time.sleep(2.0)
@@ -121,5 +125,7 @@ def _in_the_air(process: subprocess.Popen[bytes]) -> Properties:
 
 def picture(display: str, path: Path) -> None:
     """What is on the screen, as PNG."""
-    window = subprocess.run(["xwd", "-root", "-silent", "-display", display], capture_output=True, check=True)
+    window = subprocess.run(
+        ["xwd", "-root", "-silent", "-display", display], capture_output=True, check=True
+    )
     subprocess.run(["convert", "xwd:-", str(path)], input=window.stdout, check=True)
