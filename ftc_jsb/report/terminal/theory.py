@@ -36,10 +36,9 @@ def _flight_words(flight: TheoryFlight) -> str:
     largest = np.array2string(np.abs(flight.history.error).max(axis=0), precision=3)
     words = f"largest |e| {largest}"
     if flight.proof is None:
-        return f"{words}; the plant is not the model, so no bound is predicted"
+        return f"{words}; {flight.problem}"
     if flight.proof.obeyed:
-        return (
-            f"{words}; V below its bound, ||e|| predicted within {flight.proof.predicted.max():.3g}"
-        )
+        each = np.array2string(flight.proof.predicted_each.max(axis=0), precision=3)
+        return f"{words}; V below its bound, |e| predicted within {each}"
     reasons = [*flight.proof.broken, *([] if flight.proof.below else ["V exceeds its bound"])]
     return f"{words}; outside the proof: {'; '.join(reasons)}"

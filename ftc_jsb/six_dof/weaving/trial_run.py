@@ -21,9 +21,9 @@ def fly(model: str, root: str) -> None:
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
     fdm.set_dt(DT)
-    folders = (f"{root}/{part}" for part in ("aircraft", "engine", "systems"))
+    aircraft, engine, systems = (f"{root}/{part}" for part in ("aircraft", "engine", "systems"))
     with contextlib.suppress(Exception):
-        fdm.load_model_with_paths(model, *folders, True)
+        fdm.load_model_with_paths(model, aircraft, engine, systems, True)
         initial = (("h-sl-ft", 10_000.0), ("vt-fps", 800.0))  # ft, ft/s
         for name, value in (
             *((f"ic/{key}", value) for key, value in initial),
