@@ -69,6 +69,7 @@ WINDOWS = np.dtype(
         ("baseline", float, (RESIDUALS,)),  # of the time before the ring
         ("learned", np.int64),  # blocks in the baseline
         ("gust", float),  # power of the turbulence over that of moderate
+        ("side_slope", float),  # load factor to the side, per rad of sideslip; 0 = not known
         ("slip_drag", float),  # deceleration by drag, per rad of sideslip [m/s^2]
         ("thrust", float),  # of the model over mass, lagged [m/s^2]
         ("transient", float),  # of it [m/s^2]

@@ -139,6 +139,7 @@ def signatures(
             out[j, k] = 0.0 if GYRO_X <= k < LIFT else (out[j, k] - below[k]) / (2.0 * step)
         if j in (ALPHA, SIDESLIP):  # drag over angles bends too much to tell anything
             out[j, FORCE] = 0.0
+    x.windows.side_slope = abs(out[SIDESLIP, SIDE])
     for axis in range(3):
         out[ROLL_RATE + axis, GYRO_X + axis] = 1.0
         position = NORTH if axis == 0 else EAST if axis == 1 else ALTITUDE

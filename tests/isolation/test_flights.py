@@ -1,4 +1,4 @@
-"""Flights of fighters with tactical sensors, one instrument or the thrust at fault: who is named, and how it flies on."""
+"""Fighters with tactical sensors, an instrument or the thrust at fault: who is named, and how it flies on."""
 
 from typing import Any
 
@@ -59,7 +59,7 @@ FAULTS = {  # what fails, and in how many seconds it is named at the latest
 
 @pytest.mark.parametrize("name", FAULTS)
 def test_the_instrument_at_fault_is_named_and_the_flight_goes_on(name: str) -> None:
-    """Named in time, nobody else accused before, excluded at the end, k within 0.15 of 1 for the last 10 s: what is left of an accelerometer by its stand-in."""
+    """Named in time, excluded at the end, k within 0.15 of 1 from 10 s after the fault on."""
     fault, latest = FAULTS[name]
     flight = flown(fault)
     metrics = flight_metrics(flight)

@@ -1,4 +1,4 @@
-"""Likelihoods and probabilities: the signature that is there wins, and what cannot be told apart is not told apart."""
+"""Likelihoods and probabilities: the signature that is there wins; what cannot be told apart is not."""
 
 import math
 from typing import Any
@@ -61,7 +61,7 @@ def test_nothing_wrong_is_no_evidence(settings: Any, state: Any) -> None:
 def test_a_loss_of_thrust_is_told_from_an_accelerometer_by_the_positions(
     settings: Any, state: Any
 ) -> None:
-    """0.4 of the thrust is lost: the force tells it at once; that the positions agree says whose fault it is."""
+    """0.4 of the thrust is lost: the force tells it; that the positions agree says whose fault it is."""
     fill(state, 150, {})
     fill(state, 30, {FORCE: -0.4 * THRUST})
     weigh(settings, state)

@@ -1,4 +1,4 @@
-"""Navigation by accelerometers and attitude, held to positions: what it says of an accelerometer and of a gyro."""
+"""Navigation by accelerometers and attitude, held to positions: what it says of them and of gyros."""
 
 import math
 from typing import Any
