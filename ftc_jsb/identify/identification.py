@@ -41,16 +41,15 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
     """
     sheet = data_sheet(aircraft)
     sheet = sheet._replace(area=round(sheet.area, 6))  # as the file has it
-    plans = (
-        manoeuvres.training,
-        manoeuvres.training_in_gusts,
-        manoeuvres.held_out,
-        manoeuvres.held_out_in_gusts,
-    )
-    flown, without = zip(
-        *(_fly(aircraft, sheet.area, plan, progress) for plan in plans), strict=True
-    )
-    tests = FlownTests(*flown, not_flown=sum(without))
+
+    def flown(plan: Callable[..., Any]) -> tuple[list[npt.NDArray[Any]], int]:
+        return _fly(aircraft, sheet.area, plan, progress)
+
+    training, without = flown(manoeuvres.training)
+    gusty, more = flown(manoeuvres.training_in_gusts)
+    held_out, other = flown(manoeuvres.held_out)
+    held_out_gusty, rest = flown(manoeuvres.held_out_in_gusts)
+    tests = FlownTests(training, gusty, held_out, held_out_gusty, without + more + other + rest)
     fitted = [*tests.fitted, *tests.fitted_in_gusts]
     progress(f"fitting {sum(map(len, fitted)) * DT:.0f} s of flight")
     return contents(aircraft, sheet, tests, _fit(aircraft, sheet.area, tests))
