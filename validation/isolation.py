@@ -1,7 +1,7 @@
 """Whose fault is it? Flights of five fighters with tactical sensors, each with one fault or with none.
 
 `python -m validation.isolation table [SEEDS] [FIRST]` flies every class of faults on every fighter in calm,
-light and moderate air; `rates HOURS [FIRST]` flies without a fault and counts false alarms; `roc [SEEDS] [FIRST]`
+light and moderate air; `rates HOURS [FIRST]` flies without a fault and counts alarms; `roc [SEEDS] [FIRST]`
 weighs losses of thrust that are found against alarms by chance; `learn` prints `ftc_jsb/isolation/scatter.py`
 anew, from seeds 100 to 103. Seeds of the others begin at 17000: nothing was chosen by them.
 """
@@ -42,7 +42,8 @@ Draw = Callable[[Random], dict[str, Any]]
 TITLE = "Whose fault is it?"
 WORDS = (
     f"Loop `robust`, tactical sensors, {SEEDS} flight of 60 s for each class, fighter and air (`python -m "
-    f"validation.isolation table`), seeds from {FIRST}, by which nothing was chosen. Named: the right hypothesis "
+    f"validation.isolation table`), seeds from {FIRST}, by which nothing was chosen. Named: the right "
+    "hypothesis "
     "with a probability of 0.9 or more, or the last such decision in 3 s. The estimate's error is 95 % of the "
     "flight from 5 s on, but for 2 s after the fault."
 )

@@ -196,7 +196,7 @@ def _see_residuals(
 
 @compiled
 def _find_sideslip(m: ModelRecord, at: Condition, x: IsolationState, dt: float) -> None:
-    """Sideslip that makes drag: of the side force, lagged, since noise has a magnitude, too; else the vane's."""
+    """Sideslip that makes drag: of the side force, lagged, as noise has a magnitude; else the vane's."""
     now = x.signals[SIDESLIP]
     if m.side_force_count > 0:
         now = sideslip_of_load_factor(m, at, x.signals)

@@ -112,7 +112,9 @@ def variance(s: IsolationSettings, w: Windows, span: int, k: int) -> float:
     elif k == FORCE:
         slipping = w.slip_drag**2 * (SLIP_CALM**2 + w.gust * SLIP_GUST**2)
         total += slipping
-        if w.side_slope > 0.0:  # side force that is wrong tells of a sideslip that is wrong, and of its drag
+        if (
+            w.side_slope > 0.0
+        ):  # side force that is wrong tells of a sideslip that is wrong, and of its drag
             total += (w.slip_drag * w.mean[span, SIDE] / w.side_slope) ** 2
         bent = BENT * STANDARD_GRAVITY * w.mean[span, LIFT]
         total += (TRANSIENT_SHARE * w.transient) ** 2 + bent * bent
