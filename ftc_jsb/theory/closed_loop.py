@@ -135,7 +135,9 @@ class ClosedLoop:
             history,
         )
         if status != SOLVED:
-            raise TheoryError(self._explain(status, row, history))
+            raise TheoryError(
+                self._explain(status, row, history, settings) + self._since(row, history)
+            )
         return history
 
     def _prepare(
@@ -214,15 +216,27 @@ class ClosedLoop:
             settings.substeps,
         )
 
-    def _explain(self, status: int, row: int, history: History) -> str:
+    def _since(self, row: int, history: History) -> str:
+        """Since when the state has been outside the system's ranges, if it has: what failed may follow."""
+        low, high = np.array([self.plant.range_of(symbol) for symbol in self.plant.states]).T
+        state = history.state[: row + 1]
+        inside = np.flatnonzero(((state >= low) & (state <= high)).all(axis=1))
+        if row in inside:
+            return ""
+        since = history.time[inside[-1] + 1] if len(inside) else 0.0
+        return f"; the state has been outside the ranges of the system since {since:.3f} s"
+
+    def _explain(self, status: int, row: int, history: History, settings: Settings) -> str:
         system = self.linearization.system
         at = f"{history.time[row]:.3f} s"
         where = dict(zip(map(str, self.plant.states), history.state[row].tolist(), strict=True))
         if status >= FILTER_FAILED:
             kind = "state" if status - FILTER_FAILED == NOT_DEFINITE else "innovation"
+            size = len(system.states) + len(system.fallible)
+            hint = f"; a spread of at least {size}, states + faults, keeps every weight of (29) positive"
             return (
-                f"system {system.name!r}: the covariance of the {kind} is not positive definite at {at}; "
-                "a spread of at least states + faults keeps every weight of (29) positive"
+                f"system {system.name!r}: the covariance of the {kind} is not positive definite at {at}"
+                f"{hint if filter_settings(settings).spread < size else ''}"
             )
         if status == NOT_FINITE:
             return f"system {system.name!r}: not finite at {at}, state {where}"
