@@ -8,7 +8,7 @@ from ftc_jsb.estimation.process import place_of_channel
 from ftc_jsb.frames import measure_path
 from ftc_jsb.isolation.isolate import confirm_thrust, isolate, start_isolation
 from ftc_jsb.isolation.records import ACCEPTED, COUNT
-from ftc_jsb.isolation.redundancy import LOAD_X, LOAD_Z
+from ftc_jsb.isolation.redundancy import ELEVATOR, LOAD_X, LOAD_Z, PITCH_RATE
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.vocabulary.channels import THRUST
 from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, THRUST_LOSS, UNKNOWN
@@ -39,7 +39,8 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
     _read(row, raw)
     if i == 0:
         start_isolation(iso, raw)
-    else:
+        iso.flies = 1 if math.isfinite(raw[PITCH_RATE]) or math.isfinite(raw[ELEVATOR]) else 0
+    elif iso.flies == 1:
         at = at_condition(m, x.known.state[0], x.known.altitude)
         f = x.observer.filter
         place = place_of_channel(f, THRUST)
@@ -56,6 +57,8 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
             measure_path(row)
             if iso.wait > 0.0 and _load_excluded(iso):  # its error is not known yet
                 row.acceleration_meas = math.nan
+    if iso.flies == 0:  # a point mass has no gyros and no surfaces to compare with
+        return
     row.suspect, row.suspect_probability = iso.suspect, iso.probability
     row.isolation_statistic = iso.statistic
     bits = 0
@@ -83,11 +86,13 @@ def _load_excluded(iso: IsolationState) -> bool:
 
 @compiled
 def believe_isolation(iso: IsolationState, detector: Any, row: Row) -> None:
-    """The detector of thrust believes the isolation.
+    """The detector of thrust believes the isolation, where there is one.
 
     A loss that the isolation is sure of is declared at once; while an instrument is suspect, or the estimate
     recovers from it, the estimate's own statistic tells nothing.
     """
+    if iso.flies == 0:
+        return
     if iso.suspect == THRUST_LOSS and iso.statistic > 1.0 and iso.thrust == 1:
         detector.declared, detector.elapsed = 1, 0.0
     instrument = FIRST_INSTRUMENT <= iso.suspect < UNKNOWN and iso.statistic > 1.0

@@ -78,6 +78,7 @@ WINDOWS = np.dtype(
 )
 ISOLATION = np.dtype(
     [
+        ("flies", np.int64),  # 1 where there are instruments to compare
         ("navigation", NAVIGATION),
         ("windows", WINDOWS),
         ("raw", float, (COUNT,)),  # readings of this sample; nan = silent

@@ -23,9 +23,9 @@ def test_level_flight_has_none():
     assert loss_of_control(recording()) is None
 
 
-def test_inverted_counts_after_half_a_second_and_from_its_first_sample():
-    """A bank of 120 deg for 0.4 s is none, for 2 s it is, from the time at which it began."""
-    short = np.where((TIME >= 10.0) & (TIME < 10.4), 2.1, 0.0)
+def test_inverted_counts_after_three_tenths_of_a_second_and_from_its_first_sample():
+    """A bank of 120 deg for 0.2 s is none, for 2 s it is, from the time at which it began."""
+    short = np.where((TIME >= 10.0) & (TIME < 10.2), 2.1, 0.0)
     assert loss_of_control(recording(bank_angle=short)) is None
     lasting = np.where((TIME >= 10.0) & (TIME < 12.0), 2.1, 0.0)
     assert loss_of_control(recording(bank_angle=lasting)) == (10.0, "inverted")
