@@ -158,6 +158,7 @@ class OutsideFlight:
         if commands is not None and i > 0:
             if not self.steering.apply_all(commands.take(place + 1), place + 1):
                 return Outcome("ended", t, "ended by command")
+        self.steering.reach(place + 2)
         reason = self._decide(i, received.numbers, t, step, place)
         self._rows = i + 1
         if reason != FLYING:

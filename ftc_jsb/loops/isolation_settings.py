@@ -16,7 +16,6 @@ from ftc_jsb.isolation.records import (
     LIFT,
     RESIDUALS,
     SIDE,
-    SPANS,
     THRUST_ROW,
 )
 from ftc_jsb.isolation.scatter import CALM, GUST, START
