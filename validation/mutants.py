@@ -1,8 +1,9 @@
 """Mutation testing: a change made to one operator or number at a time, and whether a test notices.
 
 `python -m validation.mutants [--sample N]`, with `pip install -e ".[mutants]"`. Law, filter, detector,
-verdict and link parser are changed in a copy of the project, and run without the compiler, since a changed kernel would be
-compiled anew each time. Written to the terminal: killed and survived by module, and each survivor's change.
+verdict and link parser are changed in a copy of the project, and run without the compiler, since a changed
+kernel would be compiled anew each time. Written to the terminal: killed and survived by module, and each
+survivor's change.
 """
 
 import argparse
