@@ -1,45 +1,54 @@
-"""The shipped campaign `robustness` at a modest size: where fault tolerance ends, and for want of what.
+"""The shipped campaign `robustness`: where fault tolerance ends, and for want of what.
 
 `python -m validation.campaigns RESULTS.parquet` prints the table of a campaign that was flown.
 """
 
 import sys
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
+from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.analysis.verdict import INSIDE
 from ftc_jsb.campaign.case import Bases, case_of, scenario_of_case
-from ftc_jsb.campaign.flights import Item, fly_items, row_of
+from ftc_jsb.campaign.flights import Item, Row, fly_items
 from ftc_jsb.campaign.load import load_campaign
 from ftc_jsb.campaign.run import work_of
 from ftc_jsb.campaign.statistics import wilson
 from ftc_jsb.errors import UserError
 from ftc_jsb.simulation.fly import fly
+from validation.thrust_need import thrust_need
 
-CASES = 128  # a power of 2, as the Sobol sequence is balanced by
-GIVEN_UP = 0.1  # [deg] of path or [deg/s] of turn: less is not for want of thrust
+CASES = 512  # a power of 2, as the Sobol sequence is balanced by
+PROCESSES = 2
+LOOPS = ("ftc", "no-ftc", "robust")
 FAULT = "parameter.fault"
+CAUSES = ("twin", "no loop", "short", "enough")
 HEADS = (
-    "fault", "flights", "outside limits: ftc", "no-ftc", "healthy twin fails, too", "for want of thrust",
-    "neither",
+    "fault", "cases", "outside limits: ftc", "no-ftc", "robust", "of ftc's: healthy twin, too",
+    "thrust for no loop", "thrust short", "thrust enough", "inside with robust",
 )  # fmt: skip
 
 
 def robustness_section(cases: int = CASES) -> Iterator[str]:
-    """Lines of the section: flown here, in this process."""
+    """Lines of the section."""
     bases = load_campaign("robustness")
-    rows = fly_items(work_of(bases), [Item(number) for number in range(cases)]).rows
-    yield from robustness_table(bases, pd.DataFrame(rows))
+    fly_some = partial(fly_items, work_of(bases))
+    with ProcessPoolExecutor(PROCESSES) as pool:
+        parts = list(pool.map(fly_some, _parts([Item(number) for number in range(cases)])))
+    yield from robustness_table(bases, pd.DataFrame([row for part in parts for row in part.rows]))
+
+
+def _parts(items: list[Item], size: int = 16) -> list[list[Item]]:
+    return [items[k : k + size] for k in range(0, len(items), size)]
 
 
 def robustness_table(bases: Bases, results: pd.DataFrame) -> Iterator[str]:
-    """A row for each fault class; failures of `ftc` by what they are for want of.
-
-    A healthy twin is the same case without its fault. What fails with it is not the fault's doing; of the
-    rest, what gave up path or turn was short of thrust.
+    """A row for each fault class; failures of `ftc` by what they come from.
 
     Args:
         bases: the campaign.
@@ -47,42 +56,57 @@ def robustness_table(bases: Bases, results: pd.DataFrame) -> Iterator[str]:
     """
     flown = results[results["verdict"].notna()]
     failed = flown[(flown["loop"] == "ftc") & (flown["verdict"] != INSIDE)]
-    causes = {int(row["case"]): _cause(bases, row) for _, row in failed.iterrows()}
+    with ProcessPoolExecutor(PROCESSES) as pool:
+        found = pool.map(partial(cause, bases), failed["case"].astype(int), failed[FAULT])
+        causes = dict(zip(failed["case"].astype(int), found, strict=True))
+    right = flown[(flown["loop"] == "robust") & (flown["verdict"] == INSIDE)]
+    saved = set(right["case"].astype(int)) & set(causes)
     yield "| " + " | ".join(HEADS) + " |"
     yield "|---" * len(HEADS) + "|"
     groups: list[tuple[str, Any]] = [*flown.groupby(FAULT), ("all", flown)]
     for fault, group in groups:
+        here = set(group["case"].astype(int)) & set(causes)
         cells = [fault, str(group["case"].nunique())]
-        for loop in ("ftc", "no-ftc"):
-            verdicts = group[group["loop"] == loop]["verdict"]
-            found = wilson(int((verdicts != INSIDE).sum()), len(verdicts))
-            cells.append(
-                f"{100 * found.value:.0f} % ({100 * found.low:.0f}–{100 * found.high:.0f})"
-            )
-        here = [causes[number] for number in set(group["case"]) & set(causes)]
-        cells += [str(here.count(cause)) for cause in ("twin", "thrust", "neither")]
+        cells += [_outside(group[group["loop"] == loop]["verdict"]) for loop in LOOPS]
+        cells += [str(sum(causes[number] == name for number in here)) for name in CAUSES]
+        cells.append(str(len(here & saved)))
         yield "| " + " | ".join(cells) + " |"
-    left = [number for number, cause in causes.items() if cause == "neither"]
+    yield ""
     lost = flown[flown["verdict"].isin(["loss of control", "departed"])]
     counts = ", ".join(f"{loop} {count}" for loop, count in lost["loop"].value_counts().items())
-    yield ""
-    cases = ", ".join(map(str, sorted(left))) or "–"
-    yield f"Control was lost in: {counts or 'no flight'}. Neither: cases {cases}."
+    yield f"Control was lost with: {counts or 'none'}."
+    for name in ("short", "enough"):
+        numbers = sorted(number for number, why in causes.items() if why == name)
+        yield f"Thrust {name}: cases {', '.join(map(str, numbers)) or '–'}."
 
 
-def _cause(bases: Bases, row: "pd.Series[Any]") -> str:
-    case = case_of(bases, int(row["case"]))
-    if row[FAULT] == "none":
+def _outside(verdicts: "pd.Series[Any]") -> str:
+    found = wilson(int((verdicts != INSIDE).sum()), len(verdicts))
+    return f"{100 * found.value:.0f} % ({100 * found.low:.0f}–{100 * found.high:.0f})"
+
+
+def cause(bases: Bases, number: int, fault: str) -> str:
+    """One of CAUSES for a case that failed with `ftc`.
+
+    Args:
+        bases: the campaign.
+        number: of the case.
+        fault: its class; "none" is its own twin.
+    """
+    if fault == "none":
         return "twin"
-    twin = case._replace(values=case.values | {"fault": []})
+    case = case_of(bases, number)
+    healthy = case._replace(values=case.values | {"fault": []})
     try:
-        metrics = row_of(fly(scenario_of_case(twin, "jsbsim", "ftc")))
+        twin = fly(scenario_of_case(healthy, "jsbsim", "ftc"))
     except UserError:
         return "twin"
-    if metrics["verdict"] != INSIDE:
+    if flight_metrics(twin)["verdict"] != INSIDE:
         return "twin"
-    given_up = max(row["peak_climb_given_up_deg"] or 0.0, row["peak_turn_given_up_deg_s"] or 0.0)
-    return "thrust" if given_up > GIVEN_UP else "neither"
+    flown = fly(scenario_of_case(case, "jsbsim", "ftc"))
+    metrics: Row = flight_metrics(flown)
+    times = [limit["time"] for limit in metrics["limits_broken"]]
+    return thrust_need(flown, twin, min(times, default=metrics["end_time_s"])).cause
 
 
 if __name__ == "__main__":

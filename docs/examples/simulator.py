@@ -1,4 +1,4 @@
-"""Another simulator on the exchange: plain JSBSim, from a folder that `ftc-jsb export f16 DIR --flightgear` wrote.
+"""Another simulator on the exchange: plain JSBSim, from what `ftc-jsb export f16 DIR --flightgear` wrote.
 
 python simulator.py DIR/f16-ftc 127.0.0.1:5601 5602 70
 """

@@ -3,14 +3,19 @@
 import json
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 import numpy.typing as npt
-from pydantic import Field, ValidationError
+from pydantic import Field, ValidationError, model_validator
 
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.aircraft.knot_tables import Number, Positive
-from ftc_jsb.aircraft.point_mass_aerodynamics import Aerodynamics, MeasuredDrag
+from ftc_jsb.aircraft.point_mass_aerodynamics import (
+    Aerodynamics,
+    MeasuredDrag,
+    MeasuredLift,
+    SideForce,
+)
 from ftc_jsb.aircraft.point_mass_record import model_record
 from ftc_jsb.aircraft.point_mass_thrust import Thrust
 from ftc_jsb.errors import AircraftError
@@ -79,11 +84,22 @@ class PointMass(Section):
     aerodynamics: Aerodynamics
     thrust: Thrust
     measured_drag: MeasuredDrag | None = None
+    measured_lift: MeasuredLift | None = None
+    side_force: SideForce | None = None
     response: InnerLoopResponse = InnerLoopResponse()
     atmosphere: Atmosphere | None = None
     valid: Validity | None = None  # outside, the loop says so
     # How, when and how well it was fitted.
     identification: dict[str, Any] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _knots(self) -> Self:
+        for name, part in (("measured_lift", self.measured_lift), ("side_force", self.side_force)):
+            if part is not None:
+                if self.measured_drag is None:
+                    raise ValueError(f"{name}: expected [measured_drag], whose knots it has")
+                part.check_knots(self.measured_drag)
+        return self
 
     def initial_mass(self, fuel_fraction: float) -> float:
         """Mass [kg] with a fraction of the internal fuel."""

@@ -67,8 +67,8 @@ class Engine:
     ) -> Batch | None:
         """The batch of a future, or None where its worker died.
 
-        Dask holds a death against every batch that the worker had, waiting ones included. So its cases are
-        flown one by one, and those whose worker dies again alone at the end: who dies alone is no neighbour.
+        Dask holds a death against every batch that the worker had, waiting ones too. So its cases are flown
+        one by one, and those whose worker dies again alone at the end: who dies alone is not a neighbour.
         """
         from distributed import KilledWorker
 

@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 from ftc_jsb.bounded_file import read_bounded_text
@@ -41,7 +42,7 @@ def write_campaign_report(folder: Path) -> dict[str, Any]:
         document[name] = _read_json(path) if path.is_file() else None
     points = table.set_index(["case", "label"])["point"] if "point" in table else None
     for entry in document["worst"]:
-        entry["rerun"] = f"ftc-jsb campaign rerun {folder} --case {entry['case']}"
+        entry["rerun"] = f"ftc-jsb campaign rerun {quote(str(folder))} --case {entry['case']}"
         point = None
         if points is not None:
             point = tuple(points.loc[entry["case"], f"{entry['model']}-{entry['loop']}"])

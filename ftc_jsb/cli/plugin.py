@@ -25,8 +25,15 @@ from ftc_jsb.cli.printing import message, print_json
 from ftc_jsb.errors import ScenarioError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from ftc_jsb.flightgear.exchange import Exchange
+    from ftc_jsb.flightgear.flight import OutsideFlight
+    from ftc_jsb.recording.flight import Flight
+    from ftc_jsb.runs.single import Result
     from ftc_jsb.scenario.schema import Scenario
+    from ftc_jsb.simulation.command_source import CommandSource
+    from ftc_jsb.simulation.fly import Observer
 
 PORTS = (5601, 5602)  # of the loop, and of the simulator
 PATIENCE = 300.0  # [s]: FlightGear's first start builds a cache
@@ -97,50 +104,62 @@ def plugin(
         refuse_code([flown.loop.name], scenario, [*overrides, loop or ""])
     with output.folder(f"{flown.name}-flightgear") as folder:
         announce(flown, overrides)
-        document, metrics, label = _fly(flown, simulator, live, folder, as_json)
+        result = _fly(flown, simulator, live, folder, as_json)
     if as_json:
-        print_json({**document, "recording": str(folder / "flight.nc")})
+        print_json({**result.document, "recording": str(folder / "flight.nc")})
     else:
         from ftc_jsb.report.terminal.flights import print_flights
 
-        print_flights({label: metrics})
+        print_flights({result.label: result.metrics})
         click.echo(f"Recording: {folder / 'flight.nc'}")
-    exit_by(metrics)
+    exit_by(result.metrics)
 
 
-def _fly(flown, simulator, live, folder, as_json):  # type: ignore[no-untyped-def]
+def _fly(
+    scenario: "Scenario", options: SimulatorOptions, live: LiveOptions, folder: Path, quiet: bool
+) -> "Result":
+    """Fly in the simulator; says what went over the link."""
     from ftc_jsb.cli.progress import progress_for
     from ftc_jsb.flightgear.flight import OutsideFlight
     from ftc_jsb.flightgear.outside_aircraft import started_where_it_is
     from ftc_jsb.runs.single import fly_and_save
 
-    with _simulator(flown, simulator, folder) as exchange:
+    with _simulator(scenario, options, folder) as exchange:
         origin = exchange.wait_in_the_air(PATIENCE)
-        flown = started_where_it_is(flown, exchange.fields, origin)
+        flown = started_where_it_is(scenario, exchange.fields, origin)
+        flights: list[OutsideFlight] = []
         with flying_beside(flown, live) as beside:
-            flights: list[OutsideFlight] = []
 
             def notify(text: str) -> None:
                 message(text)
-                vehicle = getattr(beside, "vehicle", None)
-                if vehicle is not None:
-                    vehicle.announce(text)
+                if beside is not None:
+                    beside.announce(text)
 
-            def fly(scenario, observers, commands=None, output=None):  # type: ignore[no-untyped-def]
-                flight = OutsideFlight(scenario, exchange, origin, notify)
-                flights.append(flight)
-                return flight.fly(observers, commands)
+            def fly(
+                scenario: "Scenario",
+                observers: "Sequence[Observer]" = (),
+                commands: "CommandSource | None" = None,
+                output: Path | None = None,
+            ) -> "Flight":
+                flights.append(OutsideFlight(scenario, exchange, origin, notify))
+                return flights[-1].fly(observers, commands)
 
-            observers_for = progress_for(flown, as_json)
-            result = fly_and_save(flown, folder, observers_for, beside, flown_by=fly)
-        message(f"lines: {exchange.counts}")
-        delays = flights[-1].delays
-        if delays is not None:
-            message(
-                f"delay from frame to command: {1e3 * delays.median:.0f} ms in the median, "
-                f"{1e3 * delays.p99:.0f} ms at 99 %, {1e3 * delays.most:.0f} ms at most"
-            )
-    return result.document, result.metrics, result.label
+            result = fly_and_save(flown, folder, progress_for(flown, quiet), beside, flown_by=fly)
+        for line in [*(beside.summary() if beside else ()), *_of_link(exchange, flights[-1])]:
+            message(line)
+    return result
+
+
+def _of_link(exchange: "Exchange", flight: "OutsideFlight") -> list[str]:
+    """What went over the link, for the user."""
+    lines = [f"lines: {exchange.counts}"]
+    delays = flight.delays
+    if delays is not None:
+        lines.append(
+            f"delay from frame to command: {1e3 * delays.median:.0f} ms in the median, "
+            f"{1e3 * delays.p99:.0f} ms at 99 %, {1e3 * delays.most:.0f} ms at most"
+        )
+    return lines
 
 
 @contextmanager
@@ -156,16 +175,17 @@ def _simulator(
     with ExitStack() as stack:
         link = SimulatorLink(("127.0.0.1" if _local(there) else "", options.listen), there)
         stack.callback(link.close)
-        exchange = Exchange(link, LineFields(scenario.aircraft))
+        gone: Callable[[], str] = _there
         if options.attach is None:
-            stack.enter_context(_started(scenario, options, folder, (link.port, there[1])))
-        yield exchange
+            gone = stack.enter_context(_started(scenario, options, folder, (link.port, there[1])))
+        yield Exchange(link, LineFields(scenario.aircraft), gone)
 
 
 @contextmanager
 def _started(
     scenario: "Scenario", options: SimulatorOptions, folder: Path, ports: tuple[int, int]
-) -> Iterator[None]:
+) -> "Iterator[Callable[[], str]]":
+    """FlightGear with the exported aircraft; gives why it is gone, "" while it runs."""
     from ftc_jsb.aircraft.description import load_aircraft
     from ftc_jsb.export.flightgear.aircraft_folder import aircraft_name, export_flightgear
     from ftc_jsb.flightgear.program import data_folder, find_program, running, start_options
@@ -177,8 +197,14 @@ def _started(
         place = Path(temporary)
         export_flightgear(aircraft, scenario.aircraft, place)
         arguments = start_options(place, aircraft_name(aircraft), scenario.initial, root, ports)
-        with running(program, [*arguments, *options.fgfs_options], folder / "fgfs.log"):
-            yield
+        log = folder / "fgfs.log"
+        with running(program, [*arguments, *options.fgfs_options], log) as process:
+            yield lambda: "" if process.poll() is None else f"FlightGear has ended; see {log}"
+
+
+def _there() -> str:
+    """Why a simulator that was not started here is gone: nobody can tell."""
+    return ""
 
 
 def _address(text: str) -> tuple[str, int]:

@@ -116,6 +116,8 @@ def _read(row: Row, out: Vector) -> None:
     out[14] = row.east_meas
     out[15] = row.elevator_meas
     out[16] = row.flap_meas
+    out[17] = row.aileron_meas
+    out[18] = row.rudder_meas
 
 
 @compiled
@@ -138,3 +140,5 @@ def _write(signals: Vector, row: Row) -> None:
     row.east_meas = signals[14]
     row.elevator_meas = signals[15]
     row.flap_meas = signals[16]
+    row.aileron_meas = signals[17]
+    row.rudder_meas = signals[18]

@@ -1,6 +1,7 @@
 """The exchange with a simulator: lines that count come out in order, commands go in with their numbers."""
 
 import time
+from collections.abc import Callable
 from typing import NamedTuple
 
 from ftc_jsb.errors import LinkError
@@ -25,10 +26,12 @@ class Received(NamedTuple):
 class Exchange:
     """Lines of one aircraft, over one link."""
 
-    def __init__(self, link: SimulatorLink, fields: LineFields) -> None:
-        """Args: where lines come and go; what they are made of."""
+    def __init__(
+        self, link: SimulatorLink, fields: LineFields, gone: Callable[[], str] = lambda: ""
+    ) -> None:
+        """Args: where lines come and go; what they are made of; why the simulator is gone, "" if it is not."""
         self.fields, self.clock = fields, Clock()
-        self._link = link
+        self._link, self._gone = link, gone
         self._last: Moment | None = None
         self._counts = dict.fromkeys(Counts._fields, 0)
         self._sequence = 0
@@ -37,6 +40,18 @@ class Exchange:
     def counts(self) -> Counts:
         """What became of the lines that came."""
         return Counts(**self._counts)
+
+    def check_alive(self, patience: float) -> None:
+        """See that the simulator is there.
+
+        Raises:
+            LinkError: it has ended, or no line has come for `patience` seconds.
+        """
+        reason = self._gone()
+        if not reason and self.clock.silent(time.monotonic(), patience):
+            reason = f"no line came for {patience:g} s"
+        if reason:
+            raise LinkError(reason)
 
     def begin(self) -> None:
         """Whatever comes next is the first."""
@@ -92,6 +107,8 @@ class Exchange:
         seen = "no line"
         while time.monotonic() < until:
             self.begin()
+            if self._gone():
+                raise LinkError(self._gone())
             for received in self.receive(HEARD, 0.0):
                 numbers = received.numbers
                 if self.fields.value(numbers, "flying") > 0.5:

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ftc_jsb.disturbance.faults import SCHEDULE
 from ftc_jsb.errors import ScenarioError, UserError
 from ftc_jsb.flightgear.exchange import Exchange, Received
 from ftc_jsb.flightgear.measured_step import MeasuredStep
@@ -118,16 +117,11 @@ class OutsideFlight:
 
     def _flown(self, observers: Sequence[Observer], commands: CommandSource | None) -> Outcome:
         least = 0.999 / self._scenario.loop.rate
-        since = time.monotonic()
         try:
             with interruptible():
                 while True:
                     answer: Received | None = None
-                    if (
-                        self._exchange.clock.silent(time.monotonic(), SILENCE)
-                        and time.monotonic() > since + SILENCE
-                    ):
-                        return Outcome("failed", self._time, f"no line came for {SILENCE:g} s")
+                    self._exchange.check_alive(SILENCE)
                     for received in self._exchange.receive(WAKE, least):
                         outcome = self._sample(received, observers, commands)
                         if outcome is not None:
@@ -155,9 +149,11 @@ class OutsideFlight:
             return Outcome("complete", self._scenario.duration, "")
         self._time = t
         place = min(int(t * self._scenario.loop.rate + 1e-6), self._plan.size - 2)
+        goes_on = True
         if commands is not None and i > 0:
-            if not self.steering.apply_all(commands.take(place + 1), place + 1):
-                return Outcome("ended", t, "ended by command")
+            goes_on = self.steering.apply_all(commands.take(place + 1), place + 1)
+        if not goes_on:
+            return Outcome("ended", t, "ended by command")
         self.steering.reach(place + 2)
         reason = self._decide(i, received.numbers, t, step, place)
         self._rows = i + 1
@@ -202,7 +198,7 @@ class OutsideFlight:
         self._flying = flies
         if i == 0 or not flies:
             row = self.record[i]
-            flown = tuple(float(row[name]) for name in OUTPUTS)
+            flown = (float(row[OUTPUTS[0]]), float(row[OUTPUTS[1]]), float(row[OUTPUTS[2]]))
             self._references.begin_at(flown, planned)
             self._loop.start_references(
                 flown, [float(row[n]) for n in ("north", "east", "altitude")]
@@ -226,7 +222,7 @@ class OutsideFlight:
         if flies:
             self._notify("the outer loop flies")
         elif self._flying is not None:
-            self._notify("the inner loop alone flies: wings level, holds speed")
+            self._notify("inner loop alone: wings level, speed held")
 
     def _measure_delay(self, line: Numbers) -> None:
         answered = round(self._value(line, "answered"))
@@ -271,6 +267,3 @@ def refuse_what_is_the_simulators(scenario: Scenario) -> None:
         raise ScenarioError("wind: the simulator has its own weather; set it there")
     if scenario.sensors != Sensors():
         raise ScenarioError("sensors: a flight in another program has perfect ones")
-
-
-assert set(SCHEDULE) >= set(FAULTS)

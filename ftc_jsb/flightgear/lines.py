@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 LONGEST = 4096  # characters of a line
-TOLERANCE = 1e-6  # of the check, and 1e-12 of the largest term: rounding of the sum
+TOLERANCE = 1e-6  # of the check, and
+ROUNDING = 1e-15  # of its largest term: numbers come with 17 digits
 
 
 def check_of(numbers: Sequence[float]) -> float:
@@ -46,7 +47,7 @@ def numbers_of(line: bytes, count: int) -> tuple[float, ...] | None:
     *fields, check = numbers
     terms = (abs(place * number) for place, number in enumerate(fields, 1))
     largest = max(terms, default=0.0)
-    if abs(check_of(fields) - check) > TOLERANCE + 1e-12 * largest:
+    if abs(check_of(fields) - check) > TOLERANCE + ROUNDING * largest:
         return None
     return tuple(fields)
 

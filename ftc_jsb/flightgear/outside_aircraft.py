@@ -1,4 +1,4 @@
-"""An aircraft that another program flies, as a plant: what its lines say, as truth in a row of the recording."""
+"""An aircraft that another program flies, as a plant: what its lines say, as truth in the recording."""
 
 import math
 from typing import Any

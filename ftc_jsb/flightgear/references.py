@@ -1,4 +1,4 @@
-"""Where the references of a flight in another program come from: the scenario, the pilot, and smoothly from one to the other.
+"""References of a flight in another program: the scenario's, the pilot's, and smoothly from one to the other.
 
 When the outer loop takes over, and when the pilot gives back, the raw commands begin at what is flown and
 go to the scenario's at bounded rates: nothing jumps.

@@ -24,7 +24,7 @@ from ftc_jsb.isolation.records import (
     SPANS,
     THRUST_ROW,
 )
-from ftc_jsb.isolation.redundancy import ELEVATOR, FLAP, ROLL, YAW
+from ftc_jsb.isolation.redundancy import ELEVATOR, ROLL, RUDDER, YAW
 from ftc_jsb.isolation.windows import look_back, variance
 from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, HYPOTHESES, THRUST_LOSS, UNKNOWN
 from ftc_jsb.vocabulary.kernel_types import IsolationSettings, IsolationState
@@ -40,9 +40,7 @@ FREEDOM = 10.0  # log likelihood that any residuals gain by being explained one 
 def weigh(s: IsolationSettings, x: IsolationState) -> None:
     """Log likelihood ratios of every hypothesis over the span that tells most, to `x.likelihood`."""
     w = x.windows
-    best = 0.0
-    for row in range(ROWS):
-        x.likelihood[row] = 0.0
+    best, most = 0.0, -1
     x.unexplained = 0.0
     for span in range(len(SPANS)):
         if w.count < SPANS[span]:
@@ -52,14 +50,14 @@ def weigh(s: IsolationSettings, x: IsolationState) -> None:
         for row in range(ROWS):
             greatest = max(greatest, likelihood_ratio(s, x, span, row))
         if greatest > best:
-            best = greatest
-            for row in range(ROWS):
-                x.likelihood[row] = likelihood_ratio(s, x, span, row)
-            energy = 0.0
-            for k in range(RESIDUALS):
-                energy += 0.5 * w.mean[span, k] ** 2 / variance(s, w, span, k)
-            x.unexplained = energy - best
+            best, most = greatest, span
     x.statistic = best / s.threshold
+    for row in range(ROWS):
+        x.likelihood[row] = likelihood_ratio(s, x, most, row) if most >= 0 else 0.0
+    if most >= 0:
+        x.unexplained = -best
+        for k in range(RESIDUALS):
+            x.unexplained += 0.5 * w.mean[most, k] ** 2 / variance(s, w, most, k)
 
 
 @compiled
@@ -122,7 +120,7 @@ def judge(x: IsolationState) -> int:
         h, odds = THRUST_LOSS, THRUST_ODDS
         if row < COUNT:
             h = FIRST_INSTRUMENT + row
-            pick_off, attitude = row in (ELEVATOR, FLAP), ROLL <= row <= YAW
+            pick_off, attitude = ELEVATOR <= row <= RUDDER, ROLL <= row <= YAW
             odds = PICK_OFF_ODDS if pick_off else ATTITUDE_ODDS if attitude else 1.0
         elif row < THRUST_ROW:
             h, odds = FIRST_INSTRUMENT + ROLL + row - DRIFT_ROW, ATTITUDE_ODDS

@@ -42,6 +42,7 @@ from ftc_jsb.isolation.redundancy import (
     YAW,
     YAW_RATE,
     agreement,
+    sideslip_of_load_factor,
     signatures,
 )
 from ftc_jsb.isolation.replacement import accept, exclude
@@ -65,6 +66,7 @@ LONG = 2.0  # [s]: then the most probable one has to do
 RECOVERY = 2.0  # [s] of the effectiveness after an instrument's fault
 APART_LAG = 3.0  # [s]
 SETTLING = 5.0  # [s] at the start, until position and wind are known
+SIDESLIP_LAG = 0.05  # [s]
 AGREED = 5.0  # [s] for which a reading has to agree again
 
 
@@ -87,6 +89,7 @@ def start_isolation(x: IsolationState, raw: Vector) -> None:
     for k in range(RESIDUALS):
         x.residual[k] = 0.0
     x.statistic, x.ambiguous, x.quiet = 0.0, 0.0, 0.0
+    x.sideslip = x.signals[SIDESLIP]
     x.wait, x.before = SETTLING, math.nan
     x.suspect, x.probability = NOBODY, 1.0
     x.thrust, x.effectiveness, x.since = 0, 1.0, 0.0
@@ -157,7 +160,8 @@ def _see_residuals(
     y, n, now = x.signals, x.navigation, x.agreement
     roll, pitch, yaw = y[ROLL], y[PITCH], y[YAW]
     x.frame[0], x.frame[1], x.frame[2] = roll, pitch, yaw
-    agreement(m, at, thrust, y, x.frame, now)
+    _find_sideslip(m, at, x, dt)
+    agreement(m, at, thrust, x.sideslip, y, x.frame, now)
     load = (y[LOAD_X], y[LOAD_Y], y[LOAD_Z])
     felt = inertial_acceleration(load, roll, pitch, yaw, m.gravity)
     north = y[NORTH] if x.excluded[NORTH] == ACCEPTED else math.nan
@@ -188,6 +192,15 @@ def _see_residuals(
             x.residual[GYRO_X + k] = 0.0
     for k in range(LIFT, RESIDUALS):
         x.residual[k] = now[k]
+
+
+@compiled
+def _find_sideslip(m: ModelRecord, at: Condition, x: IsolationState, dt: float) -> None:
+    """Sideslip that makes drag: of the side force, lagged, as noise has a magnitude; else the vane's."""
+    now = x.signals[SIDESLIP]
+    if m.side_force_count > 0:
+        now = sideslip_of_load_factor(m, at, x.signals)
+    x.sideslip += (1.0 - math.exp(-dt / SIDESLIP_LAG)) * (now - x.sideslip)
 
 
 @compiled

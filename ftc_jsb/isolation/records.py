@@ -69,6 +69,8 @@ WINDOWS = np.dtype(
         ("baseline", float, (RESIDUALS,)),  # of the time before the ring
         ("learned", np.int64),  # blocks in the baseline
         ("gust", float),  # power of the turbulence over that of moderate
+        ("side_slope", float),  # load factor to the side, per rad of sideslip; 0 = not known
+        ("slip_drag", float),  # deceleration by drag, per rad of sideslip [m/s^2]
         ("thrust", float),  # of the model over mass, lagged [m/s^2]
         ("transient", float),  # of it [m/s^2]
         ("mean", float, (len(SPANS), RESIDUALS)),  # of each span, less the baseline
@@ -92,6 +94,7 @@ ISOLATION = np.dtype(
         ("agrees", float, (COUNT,)),  # [s] for which an excluded one has agreed again
         ("euler", float, (3,)),  # roll, pitch, yaw of the last sample [rad]
         ("turning", float, (3,)),  # body rates by their changes, lagged [rad/s]
+        ("sideslip", float),  # that makes drag, lagged [rad]
         ("residual", float, (RESIDUALS,)),  # of this sample
         ("moved", float, (COUNT,)),  # scratch of `redundancy`
         ("agreement", float, (RESIDUALS,)),  # scratch of `redundancy`

@@ -3,6 +3,7 @@
 import math
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.frames import path_from_attitude
 from ftc_jsb.isolation.navigation import (
     air_velocity,
     body_rates_of,
@@ -23,7 +24,9 @@ from ftc_jsb.isolation.records import (
     THRUST_ROW,
 )
 from ftc_jsb.point_mass.drag import alpha_slope, angle_of_attack, measured_drag_coefficient
+from ftc_jsb.point_mass.lift import measured_lift_coefficient
 from ftc_jsb.point_mass.model import Condition, pressure_area
+from ftc_jsb.point_mass.side_force import SideRates, side_force_coefficient, sideslip_of_side_force
 from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.kernel_types import IsolationState, ModelRecord, Vector
 from ftc_jsb.vocabulary.signals import SENSED
@@ -45,19 +48,29 @@ NORTH = SENSED.index("north")
 EAST = SENSED.index("east")
 ELEVATOR = SENSED.index("elevator_position")
 FLAP = SENSED.index("flap_position")
+AILERON = SENSED.index("aileron_position")
+RUDDER = SENSED.index("rudder_position")
 STEP = 0.2  # of the errors that have to be reckoned with, for the differences
+SLIP_STEP = 0.01  # [rad]
 LEAST_SLOPE = 1e-3  # [rad], of the angle of attack over the lift coefficient
 
 
 @compiled
 def agreement(
-    m: ModelRecord, at: Condition, thrust: float, signals: Vector, frame: Vector, out: Vector
+    m: ModelRecord,
+    at: Condition,
+    thrust: float,
+    sideslip: float,
+    signals: Vector,
+    frame: Vector,
+    out: Vector,
 ) -> None:
     """What readings of one sample say, each of which something else says as well.
 
     Args:
         m, at: model of the aircraft, and at this condition.
         thrust: that a healthy engine would give [N].
+        sideslip: that makes drag [rad].
         signals: (COUNT,) readings, in the order of SIGNALS.
         frame: (3,) attitude [rad] in whose axes vectors are written.
         out: (RESIDUALS,), written but for the gyros': accelerations [m/s^2], velocity through the air [m/s],
@@ -83,13 +96,13 @@ def agreement(
     area = pressure_area(at, airspeed)
     ca, sa = math.cos(s[ALPHA]), math.sin(s[ALPHA])
     cb, sb = math.cos(s[SIDESLIP]), math.sin(s[SIDESLIP])
-    out[LIFT] = s[ALPHA] - angle_of_attack(at, lift_without_thrust(m, at, thrust, s, s[ALPHA]))
-    out[SIDE] = load[1]
+    out[LIFT] = beyond_lift(m, at, thrust, s, s[ALPHA])
+    out[SIDE] = load[1] - side_load_factor(m, at, s)
     drag = measured_drag_coefficient(
         m,
         airspeed / at.sound_speed,
         s[ALPHA],
-        abs(s[SIDESLIP]),
+        abs(sideslip),
         s[ELEVATOR],
         s[FLAP],
         s[PITCH_RATE] / airspeed,
@@ -113,16 +126,20 @@ def signatures(
         x: ISOLATION; `signature` is written.
     """
     below, frame, out = x.agreement, x.frame, x.signature
+    agreement(m, at, thrust, x.sideslip, x.signals, frame, below)
+    agreement(m, at, thrust, abs(x.sideslip) + SLIP_STEP, x.signals, frame, out[0])
+    x.windows.slip_drag = (out[0, FORCE] - below[FORCE]) / SLIP_STEP
     for j in range(COUNT):
         step = STEP * sizes[j]
         _move(m, at, thrust, x, j, -step)
-        agreement(m, at, thrust, x.moved, frame, below)
+        agreement(m, at, thrust, x.sideslip, x.moved, frame, below)
         _move(m, at, thrust, x, j, step)
-        agreement(m, at, thrust, x.moved, frame, out[j])
+        agreement(m, at, thrust, x.sideslip, x.moved, frame, out[j])
         for k in range(RESIDUALS):
             out[j, k] = 0.0 if GYRO_X <= k < LIFT else (out[j, k] - below[k]) / (2.0 * step)
         if j in (ALPHA, SIDESLIP):  # drag over angles bends too much to tell anything
             out[j, FORCE] = 0.0
+    x.windows.side_slope = abs(out[SIDESLIP, SIDE])
     for axis in range(3):
         out[ROLL_RATE + axis, GYRO_X + axis] = 1.0
         position = NORTH if axis == 0 else EAST if axis == 1 else ALTITUDE
@@ -175,11 +192,41 @@ def lift_without_thrust(
 
 
 @compiled
+def modelled_lift(m: ModelRecord, at: Condition, signals: Vector, alpha: float) -> float:
+    """Lift coefficient that the model has at an angle of attack [rad]; nan where only its inverse is known."""
+    if m.measured_lift_count == 0:
+        return math.nan
+    s = signals
+    airspeed = s[AIRSPEED]
+    path, _, bank = path_from_attitude(alpha, s[SIDESLIP], s[ROLL], s[PITCH])
+    normal = s[LOAD_Z] * math.cos(alpha) + s[LOAD_X] * math.sin(alpha)
+    turning = m.gravity / airspeed * (normal - math.cos(path) * math.cos(bank))
+    mach, per = airspeed / at.sound_speed, 1.0 / airspeed
+    return float(
+        measured_lift_coefficient(
+            m, mach, alpha, s[ELEVATOR], s[FLAP], s[PITCH_RATE] * per, turning * per
+        )
+    )
+
+
+@compiled
+def beyond_lift(
+    m: ModelRecord, at: Condition, thrust: float, signals: Vector, alpha: float
+) -> float:
+    """Angle of attack [rad] beyond the one that lifts what the accelerometers feel."""
+    felt = lift_without_thrust(m, at, thrust, signals, alpha)
+    modelled = modelled_lift(m, at, signals, alpha)
+    if math.isfinite(modelled):
+        return float((modelled - felt) * alpha_slope(at, felt))
+    return float(alpha - angle_of_attack(at, felt))
+
+
+@compiled
 def lifting_alpha(m: ModelRecord, at: Condition, thrust: float, signals: Vector) -> float:
     """Angle of attack [rad] that lifts what the accelerometers feel."""
     alpha = signals[ALPHA]
-    for _ in range(2):
-        alpha = angle_of_attack(at, lift_without_thrust(m, at, thrust, signals, alpha))
+    for _ in range(3):
+        alpha -= beyond_lift(m, at, thrust, signals, alpha)
     return float(alpha)
 
 
@@ -189,20 +236,44 @@ def load_factor_of_lift(
 ) -> float:
     """Load factor z of the lift at the measured angle of attack, which is `off` [rad] too large."""
     alpha = signals[ALPHA]
-    wanted = alpha - off
-    lift = lift_without_thrust(m, at, thrust, signals, alpha)
-    for _ in range(3):
-        slope = alpha_slope(at, lift)
-        lift += (wanted - angle_of_attack(at, lift)) / max(slope, LEAST_SLOPE)
     area = pressure_area(at, signals[AIRSPEED])
+    lift = modelled_lift(m, at, signals, alpha - off)
+    if not math.isfinite(lift):
+        lift = lift_without_thrust(m, at, thrust, signals, alpha)
+        for _ in range(3):
+            slope = max(alpha_slope(at, lift), LEAST_SLOPE)
+            lift += (alpha - off - angle_of_attack(at, lift)) / slope
     normal = (lift * area + thrust * math.sin(alpha)) / (m.mass * STANDARD_GRAVITY)
     return float((normal - signals[LOAD_X] * math.sin(alpha)) / math.cos(alpha))
 
 
 @compiled
-def sideslip_of_side_force(m: ModelRecord, at: Condition, signals: Vector) -> float:
+def _side_rates(signals: Vector) -> SideRates:
+    s, airspeed = signals, signals[AIRSPEED]
+    return SideRates(s[ROLL_RATE] / airspeed, s[YAW_RATE] / airspeed, s[AILERON], s[RUDDER])
+
+
+@compiled
+def side_load_factor(m: ModelRecord, at: Condition, signals: Vector) -> float:
+    """Load factor to the side that the model has at the measured sideslip; 0 where it knows none."""
+    if m.side_force_count == 0:
+        return 0.0
+    s = signals
+    mach = s[AIRSPEED] / at.sound_speed
+    force = side_force_coefficient(m, mach, s[ALPHA], s[SIDESLIP], _side_rates(s))
+    return float(force * pressure_area(at, s[AIRSPEED]) / (m.mass * STANDARD_GRAVITY))
+
+
+@compiled
+def sideslip_of_load_factor(m: ModelRecord, at: Condition, signals: Vector) -> float:
     """Sideslip [rad] that the load factor to the side tells of; 0 where the model does not know it."""
-    return 0.0
+    if m.side_force_count == 0:
+        return 0.0
+    s = signals
+    area = pressure_area(at, s[AIRSPEED])
+    force = s[LOAD_Y] * m.mass * STANDARD_GRAVITY / area
+    mach = s[AIRSPEED] / at.sound_speed
+    return float(sideslip_of_side_force(m, mach, s[ALPHA], force, _side_rates(s)).angle)
 
 
 @compiled
@@ -221,5 +292,7 @@ def modelled(
     elif x.excluded[LOAD_Z] != ACCEPTED:
         off = x.windows.baseline[LIFT]
         signals[LOAD_Z] = load_factor_of_lift(m, at, thrust, signals, off)
+    if x.excluded[LOAD_Y] != ACCEPTED and m.side_force_count > 0:
+        signals[LOAD_Y] = side_load_factor(m, at, signals)
     if x.excluded[SIDESLIP] != ACCEPTED:
-        signals[SIDESLIP] = sideslip_of_side_force(m, at, signals)
+        signals[SIDESLIP] = sideslip_of_load_factor(m, at, signals)

@@ -5,13 +5,14 @@ import math
 from ftc_jsb.compiled import compiled
 from ftc_jsb.isolation.navigation import wrapped
 from ftc_jsb.isolation.records import ACCEPTED, COUNT, JUMPED, NOISY, SILENT, STALE
-from ftc_jsb.isolation.redundancy import ELEVATOR, FLAP, ROLL, YAW
+from ftc_jsb.isolation.redundancy import ELEVATOR, LOAD_Z, ROLL, ROLL_RATE, YAW
 from ftc_jsb.vocabulary.kernel_types import IsolationSettings, IsolationState, Vector
 
 SILENT_TIME = 0.1  # [s]
 ROUGH_LAG = 0.5  # [s]
-MOST = 100.0  # times the noise's power: a single jump is no noise
+LEAST_MOST, MOST = 100.0, 2000.0  # times the noise's power: a single jump is no noise
 ROUGH = 20.0  # times the noise's power
+ROUGH_OF_MOTION = 400.0
 ROUGH_BY_GUSTS = 10.0  # and in moderate turbulence, which shakes vanes and accelerometers
 JUMP = 8.0  # standard deviations
 LEAST_JUMP = math.radians(0.1)  # [rad]
@@ -42,7 +43,8 @@ def notice_readings(s: IsolationSettings, x: IsolationState, raw: Vector, dt: fl
         if s.noise[k] > 0.0:
             # the change of a change of independent readings has six times their variance
             power = (change - x.change[k]) ** 2 / (6.0 * s.noise[k] ** 2)
-            x.rough[k] += share * (min(power, MOST) - x.rough[k])
+            most = MOST if ROLL_RATE <= k <= LOAD_Z else LEAST_MOST
+            x.rough[k] += share * (min(power, most) - x.rough[k])
         x.change[k] = change
         x.readings[k] = raw[k]
 
@@ -55,8 +57,10 @@ def own_fault(s: IsolationSettings, x: IsolationState, k: int) -> int:
     if s.noise[k] > 0.0:
         if x.same[k] > s.stale[k]:
             return STALE
-        pick_off = k == ELEVATOR or k == FLAP  # a surface moves as quickly as it is told to
-        if not pick_off and x.rough[k] > ROUGH + ROUGH_BY_GUSTS * x.windows.gust:
+        limit = ROUGH + ROUGH_BY_GUSTS * x.windows.gust
+        if ROLL_RATE <= k <= LOAD_Z:  # an aircraft turns and pulls as suddenly as it is told to
+            limit = ROUGH_OF_MOTION
+        if k < ELEVATOR and x.rough[k] > limit:  # and a surface moves so
             return NOISY
     return ACCEPTED
 

@@ -3,7 +3,7 @@
 import math
 
 from ftc_jsb.compiled import compiled
-from ftc_jsb.isolation.records import AIR_X, FORCE, LIFT, LONGEST, RESIDUALS, SPANS
+from ftc_jsb.isolation.records import AIR_X, FORCE, LIFT, LONGEST, RESIDUALS, SIDE, SPANS
 from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.kernel_types import IsolationSettings, Vector, Windows
 
@@ -13,8 +13,10 @@ GUST_MEMORY = 100.0  # blocks
 GUST_STEP = 10  # blocks: a second, over which the air changes by gusts alone
 GUST_CHANGE = 2.6  # [m^2/s^2]: square of that change in moderate turbulence, one axis
 WIND_VARIANCE = 2.0  # [m^2/s^2]: of the lasting wind at the start, in moderate turbulence
-TRANSIENT_SHARE = 0.15  # of a change of thrust: what a model of the engine may be off by meanwhile
+TRANSIENT_SHARE = 0.3  # of a change of thrust: what a model of the engine may be off by meanwhile
 TRANSIENT_LAG = 3.0  # blocks
+SLIP_CALM = math.radians(0.03)  # what the sideslip that makes drag may be off by
+SLIP_GUST = math.radians(0.05)  # and in moderate turbulence
 BENT = 0.5  # of g times an angle that is wrong: what its drag may be off by
 INEXACT = 0.1  # of a residual: what its signature may be off by
 
@@ -108,6 +110,12 @@ def variance(s: IsolationSettings, w: Windows, span: int, k: int) -> float:
     if AIR_X <= k < AIR_X + 3:
         total += unknown * w.gust * WIND_VARIANCE
     elif k == FORCE:
+        slipping = w.slip_drag**2 * (SLIP_CALM**2 + w.gust * SLIP_GUST**2)
+        total += slipping
+        if (
+            w.side_slope > 0.0
+        ):  # side force that is wrong tells of a sideslip that is wrong, and of its drag
+            total += (w.slip_drag * w.mean[span, SIDE] / w.side_slope) ** 2
         bent = BENT * STANDARD_GRAVITY * w.mean[span, LIFT]
         total += (TRANSIENT_SHARE * w.transient) ** 2 + bent * bent
     return float(total + (INEXACT * w.mean[span, k]) ** 2)

@@ -43,6 +43,8 @@ TOLERANCE = {  # within which an excluded instrument agrees again
     "east": 10.0,
     "elevator_position": 0.5,
     "flap_position": 0.5,
+    "aileron_position": 0.5,
+    "rudder_position": 0.5,
 }
 SIZE = {  # standard deviation of the errors that have to be reckoned with; positions: of their drift
     "airspeed": 20.0,  # m/s
@@ -62,6 +64,8 @@ SIZE = {  # standard deviation of the errors that have to be reckoned with; posi
     "east": 20.0,
     "elevator_position": 5.0,
     "flap_position": 5.0,
+    "aileron_position": 5.0,
+    "rudder_position": 5.0,
 }
 MADE_OF = {  # instruments that make up a residual
     INERTIAL_X: ("load_factor_x", "roll", "pitch", "north", "east", "altitude"),

@@ -11,7 +11,15 @@ from ftc_jsb.vocabulary.signals import SENSED
 
 # A point mass turns without body rates, and has no surfaces
 SIX_DOF = ("jsbsim", "flightgear")
-NOT_OF_POINT_MASSES = ("roll_rate", "pitch_rate", "yaw_rate", "elevator_position", "flap_position")
+NOT_OF_POINT_MASSES = (
+    "roll_rate",
+    "pitch_rate",
+    "yaw_rate",
+    "elevator_position",
+    "flap_position",
+    "aileron_position",
+    "rudder_position",
+)
 
 
 def impossible(scenario: Scenario, fault: Fault) -> str:

@@ -1,4 +1,4 @@
-"""Flights one after the other, each the one that `fly` flies: point masses share the memory of one recording."""
+"""Flights one after the other, as `fly` flies each: point masses share the memory of one recording."""
 
 import time
 

@@ -14,6 +14,12 @@ from ftc_jsb.campaign.schema import Campaign
 from ftc_jsb.campaign.summary import PARAMETER
 
 Document = dict[str, Any]
+DIFFERENCES = {  # of `summary.summary`, as they are shown
+    "margin": "Margin",
+    "rmse_airspeed_mps": "Airspeed RMSE [m/s]",
+    "rmse_flight_path_deg": "Path RMSE [deg]",
+    "rmse_heading_deg": "Heading RMSE [deg]",
+}
 _MAPS = 4  # labels whose failures are drawn
 
 
@@ -40,6 +46,7 @@ def page(campaign: Campaign, document: Document, table: pd.DataFrame, made: list
     return environment.get_template("campaign.html").render(
         campaign=campaign,
         document=document,
+        differences=DIFFERENCES,
         margins=_margins(table),
         maps=_maps(document, table),
         roc=_roc(document),

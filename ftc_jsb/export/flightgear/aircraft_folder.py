@@ -134,7 +134,7 @@ def _fill(fdm: ET.Element, aircraft: Aircraft, fraction: float) -> None:
 def _protocol(aircraft: Aircraft, engines: int, folder: Path) -> None:
     measured = [*measured_fields(aircraft, engines), MEASURED_CHECK]
     for name, direction, fields in ((OUT, "output", measured), (IN, "input", [*COMMANDED, CHECK])):
-        _write(protocol_file(direction, fields).getroot(), folder / f"{name}.xml")
+        _write(protocol_file(direction, fields), folder / f"{name}.xml")
 
 
 def _write(element: ET.Element, path: Path) -> None:

@@ -10,7 +10,7 @@ PREFIX = "/fdm/jsbsim/"  # where FlightGear keeps JSBSim's properties
 DIGITS = "%.17g"  # a double, without loss
 
 
-def protocol_file(direction: str, fields: Sequence[Field]) -> ET.ElementTree:
+def protocol_file(direction: str, fields: Sequence[Field]) -> ET.Element:
     """A line of fields in their order, separated by commas.
 
     Args:
@@ -29,4 +29,4 @@ def protocol_file(direction: str, fields: Sequence[Field]) -> ET.ElementTree:
         ET.SubElement(chunk, "type").text = "double"
         if direction == "output":
             ET.SubElement(chunk, "format").text = DIGITS
-    return ET.ElementTree(root)
+    return root

@@ -36,6 +36,7 @@ def set_file(aircraft: Aircraft, name: str) -> ET.Element:
     _value(ET.SubElement(sim, "startup"), "trim", "true", "bool")
     _value(ET.SubElement(sim, "sound"), "enabled", "false", "bool")
     _menu(sim)
+    _keys(root)
     gear = ET.SubElement(ET.SubElement(root, "controls"), "gear")
     _value(gear, "gear-down", "false", "bool")
     _value(ET.SubElement(ET.SubElement(root, "nasal"), "ftc"), "file", "Nasal/ftc.nas", "string")
@@ -44,6 +45,21 @@ def set_file(aircraft: Aircraft, name: str) -> ET.Element:
 
 def _value(parent: ET.Element, tag: str, text: str, kind: str) -> None:
     ET.SubElement(parent, tag, type=kind).text = text
+
+
+def _keys(root: ET.Element) -> None:
+    keyboard = ET.SubElement(ET.SubElement(root, "input"), "keyboard")
+    for letter, meaning, script in (
+        ("o", "Outer loop on or off", "ftc.switch_outer_loop()"),
+        ("u", "Pilot takes the references or gives them back", "ftc.hand_over()"),
+        ("O", "Dialog of the outer loop", f"gui.showDialog('{DIALOG}')"),
+    ):
+        key = ET.SubElement(keyboard, "key", n=str(ord(letter)))
+        _value(key, "name", letter, "string")
+        _value(key, "desc", meaning, "string")
+        binding = ET.SubElement(key, "binding")
+        _value(binding, "command", "nasal", "string")
+        _value(binding, "script", script, "string")
 
 
 def _menu(sim: ET.Element) -> None:

@@ -1,1 +1,1 @@
-"""What the woven aircraft exchanges with an outer loop outside: fields of a line, and the JSBSim system for it."""
+"""What a woven aircraft exchanges with an outer loop outside: fields of a line, and the JSBSim system."""

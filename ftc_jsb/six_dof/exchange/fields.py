@@ -92,7 +92,7 @@ _MEANINGS = {
 
 
 def fault_property(name: str, engines: int) -> str:
-    """Woven property of a fault column, such as `engine_0_effectiveness`; ABSENT for an engine that is not there."""
+    """Woven property of a fault column, such as `engine_0_effectiveness`; ABSENT: no such engine."""
     part, _, what = name.rpartition("_")
     if part.startswith("engine_"):
         number = int(part.removeprefix("engine_"))

@@ -103,6 +103,11 @@ def _function(name: str, text: str, output: str = "") -> str:
     return f'<fcs_function name="{name}"><function>{text}</function>{to}</fcs_function>'
 
 
+def _copy(name: str, to: str) -> str:
+    """The value of a property put into another."""
+    return _function(f"{to}-next", f"<sum><p>{name}</p><v>0</v></sum>", to)
+
+
 def _acceptance() -> ET.Element:
     """A line is taken if its check is right and it answers a later frame than the last one did."""
     new, answered = f"<gt><p>{LINK}/new</p><v>0.5</v></gt>", f"<p>{RECEIVED}/frame</p>"
@@ -124,8 +129,8 @@ def _acceptance() -> ET.Element:
             f"<sum><p>{RECEIVED}/refused</p><and>{changed}<lt><p>{LINK}/new</p><v>0.5</v></lt></and></sum>",
             f"{RECEIVED}/refused",
         ),
-        _function(f"{LINK}/sequence-next", f"<sum><p>{LINK}/sequence</p><v>0</v></sum>", f"{LINK}/seen-sequence"),
-        _function(f"{LINK}/check-next", f"<sum><p>{CHECK.property}</p><v>0</v></sum>", f"{LINK}/seen-check"),
+        _copy(f"{LINK}/sequence", f"{LINK}/seen-sequence"),
+        _copy(CHECK.property, f"{LINK}/seen-check"),
         _function(
             f"{LINK}/age-next",
             f"<ifthen>{new}<v>0</v><sum><p>{RECEIVED}/age-s</p><p>simulation/dt</p></sum></ifthen>",
