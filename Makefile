@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 STATIONS := $(VENV)/.stations
 
 .PHONY: demo test coverage stations-full bench validate theory-figures validate-flightgear flightgear-pictures \
-	hostile inner-loops lint format schema golden clean
+	hostile faults fuzz mutants inner-loops lint format schema golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
@@ -59,6 +59,19 @@ flightgear-pictures: $(READY)  ## The pictures of docs/flightgear.md, by the rea
 
 hostile: $(READY)  ## A million hostile frames on the MAVLink vehicle, some minutes
 	FTC_JSB_HOSTILE=1000000 $(BIN)/pytest -n 0 tests/mavlink/test_hostile.py
+
+FAULTS ?= 1
+faults: $(READY)  ## Every write, rename and fsync of four commands fails once, in three ways; hours. FAULTS=20: every 20th
+	FTC_JSB_FAULTS=$(FAULTS) $(BIN)/pytest -n 0 -s tests/reliability/test_injected_faults.py
+
+CASES ?= 100000
+fuzz: $(READY)  ## CASES hostile files or messages at every door; hours with all 100,000
+	FTC_JSB_FUZZ=$(CASES) $(BIN)/pytest -n 2 tests/reliability/test_fuzz.py
+
+SAMPLE ?= 0
+mutants: $(READY)  ## Changes of law, filter, detector, verdict and link parser, and whether tests notice; hours. SAMPLE=12
+	$(BIN)/python -m pip install --quiet --editable ".[mutants]" --constraint constraints.txt
+	$(BIN)/python -m validation.mutants --sample $(SAMPLE)
 
 lint: $(READY)
 	$(BIN)/ruff check .

@@ -154,6 +154,7 @@ class OutsideFlight:
             goes_on = self.steering.apply_all(commands.take(place + 1), place + 1)
         if not goes_on:
             return Outcome("ended", t, "ended by command")
+        self.steering.reach(place + 2)
         reason = self._decide(i, received.numbers, t, step, place)
         self._rows = i + 1
         if reason != FLYING:

@@ -45,7 +45,8 @@ def numbers_of(line: bytes, count: int) -> tuple[float, ...] | None:
     if len(numbers) != count + 1 or not all(map(math.isfinite, numbers)):
         return None
     *fields, check = numbers
-    largest = max(abs(place * number) for place, number in enumerate(fields, 1))
+    terms = (abs(place * number) for place, number in enumerate(fields, 1))
+    largest = max(terms, default=0.0)
     if abs(check_of(fields) - check) > TOLERANCE + ROUNDING * largest:
         return None
     return tuple(fields)
