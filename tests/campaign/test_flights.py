@@ -102,6 +102,14 @@ def test_search_and_rare_event_are_taken_up_again(tmp_path, client, fly_it):
         other(bases, two, client, True, quiet)
 
 
+@pytest.mark.parametrize("fly_it", [search_campaign, subset_campaign])
+def test_nothing_dispersed_is_nothing_to_search(tmp_path, client, fly_it):
+    text = SMALL.split("[[dispersion]]")[0] + SUBSET
+    bases = load_campaign(str(campaign_file(tmp_path, text)))
+    with pytest.raises(UserError, match="dispersion: missing"):
+        fly_it(bases, tmp_path, client, False, quiet)
+
+
 def test_one_folder_has_one_campaign_and_one_writer(tmp_path):
     bases = load_campaign(str(campaign_file(tmp_path)))
     made = {"code": "this", "purpose": "sampling"}
