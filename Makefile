@@ -5,7 +5,8 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 STATIONS := $(VENV)/.stations
 
-.PHONY: demo test coverage stations-full bench validate hostile inner-loops lint format schema golden clean
+.PHONY: demo test coverage stations-full bench validate theory-figures validate-flightgear flightgear-pictures \
+	hostile inner-loops lint format schema golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
 	$(BIN)/ftc-jsb compare paper
@@ -38,6 +39,23 @@ validate: $(READY)  ## Long flights and many flights; writes docs/validation.md
 
 inner-loops: $(READY)  ## Fly and judge every inner loop's steps: table and figures of docs/aircraft.md
 	$(BIN)/ftc-jsb inner-loop f16 f15 F4N A4 T38 --report --out docs/images/inner-loop --force
+
+theory-figures: $(READY)  ## Fly the systems of docs/theory.md and draw its figures
+	for name in levitator reactor vessel; do \
+		$(BIN)/ftc-jsb theory $$name --out build/theory-$$name --force && \
+		cp build/theory-$$name/theory.png docs/images/theory_$$name.png || exit 1; done
+
+# FlightGear with its data is 1.8 GB. What is there already is not installed again.
+FLIGHTGEAR := flightgear xvfb dbus x11-apps imagemagick
+ROOT := $(if $(filter 0,$(shell id -u)),,sudo)
+
+validate-flightgear: $(READY)  ## The real FlightGear, flown by the outer loop, 7 minutes
+	dpkg-query -W $(FLIGHTGEAR) > /dev/null 2>&1 || \
+		{ $(ROOT) apt-get update && $(ROOT) apt-get install --yes --no-install-recommends $(FLIGHTGEAR); }
+	$(BIN)/python -m validation.flightgear
+
+flightgear-pictures: $(READY)  ## The pictures of docs/flightgear.md, by the real FlightGear
+	$(BIN)/python -m validation.flightgear --pictures docs/images/flightgear
 
 hostile: $(READY)  ## A million hostile frames on the MAVLink vehicle, some minutes
 	FTC_JSB_HOSTILE=1000000 $(BIN)/pytest -n 0 tests/mavlink/test_hostile.py

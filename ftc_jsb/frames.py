@@ -6,8 +6,10 @@ the air-relative velocity, so that steady wind touches none of them.
 """
 
 import math
+from typing import Any
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.units import STANDARD_GRAVITY
 
 
 @compiled
@@ -27,6 +29,36 @@ def path_from_attitude(
     cos_bank = sa * st + ca * cp * ct
     path = math.asin(min(max(climb, -1.0), 1.0))
     return path, math.atan2(right, forward), math.atan2(sin_bank, cos_bank)
+
+
+@compiled
+def measure_path(row: Any) -> None:
+    """Path, heading, bank, load factor and force along the velocity that a row's readings tell of.
+
+    Args:
+        row: of the recording; attitude, vanes and accelerometers (`_meas`) are read.
+    """
+    alpha, sideslip = row.alpha_meas, row.sideslip_meas
+    path, turn, bank = path_from_attitude(alpha, sideslip, row.roll_meas, row.pitch_meas)
+    row.flight_path_angle_meas = path
+    row.heading_meas = row.yaw_meas + turn
+    row.bank_angle_meas = bank
+    row.load_factor_meas = row.load_factor_z_meas * math.cos(
+        alpha
+    ) + row.load_factor_x_meas * math.sin(alpha)
+    measure_force(row)
+
+
+@compiled
+def measure_force(row: Any) -> None:
+    """Force along the velocity over mass [m/s^2] that a row's readings tell of."""
+    sa, ca = math.sin(row.alpha_meas), math.cos(row.alpha_meas)
+    sb, cb = math.sin(row.sideslip_meas), math.cos(row.sideslip_meas)
+    row.acceleration_meas = STANDARD_GRAVITY * (
+        row.load_factor_x_meas * ca * cb
+        + row.load_factor_y_meas * sb
+        - row.load_factor_z_meas * sa * cb
+    )
 
 
 @compiled

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from ftc_jsb.bounded_file import is_file
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.suggestion import did_you_mean
 
@@ -41,7 +42,7 @@ def _folder(name: str) -> Path | None:
     plain = Path(name).name == name  # a bare name is a shipped aircraft, whatever lies around
     candidate = shipped("aircraft") / name if plain else Path(name)
     files = ("point_mass.toml", "aircraft.toml")
-    return candidate.resolve() if any((candidate / file).is_file() for file in files) else None
+    return candidate.resolve() if any(is_file(candidate / file) for file in files) else None
 
 
 def aircraft_names() -> list[str]:

@@ -25,6 +25,7 @@ from validation.theory import (
     loops_table,
     remainder_table,
     stability_table,
+    systems_table,
 )
 
 TARGET = Path(__file__).parents[1] / "docs" / "validation.md"
@@ -222,6 +223,12 @@ def main() -> int:
             "#the-proof-in-numbers)). The ball takes the largest φ as if it lasted; the error predicted takes "
             "φ(t) with the best μ₁.",
             stability_table,
+        ),
+        (
+            "The proof on other systems",
+            "The cases that `ftc-jsb theory` ships ([theory](theory.md#systems)), in their own units: an error "
+            "and its derivatives below the index, of one output after another.",
+            systems_table,
         ),
         (
             "Loops",

@@ -8,10 +8,11 @@ import numpy as np
 from ftc_jsb.analysis.input_remainder import flight_remainder
 from ftc_jsb.analysis.lyapunov_bound import flight_stability
 from ftc_jsb.report.figures.consistency import consistency_figure
+from ftc_jsb.runs.theory import LOOPS, analyse, fly_case, foresee
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.theory.bounds import bounds
-from ftc_jsb.theory.systems import fighter_by_velocity, textbook_plant
+from ftc_jsb.theory.systems import CASES, fighter_by_velocity, textbook_plant
 from validation.flights import measured
 from validation.noisy import noisy_flights
 
@@ -43,6 +44,26 @@ def stability_table() -> Iterator[str]:
             f"| {predicted:.3g} | {largest:.3g} | {predicted / largest:.1f} "
             f"| {'yes' if proof.obeyed else 'no'} |"
         )
+
+
+def systems_table() -> Iterator[str]:
+    """The proof on every system that `ftc-jsb theory` ships."""
+    yield "| system | loop | largest error of each component | predicted | obeys |"
+    yield "|" + "---|" * 5
+    for name in CASES:
+        analysis = analyse(CASES[name]())
+        expected = foresee(analysis)
+        for loop in LOOPS:
+            history, proof, problem = fly_case(analysis, loop, 0, expected)
+            if history is None or proof is None:
+                yield f"| {name} | {loop} | {problem} | | |"
+                continue
+            largest, most = np.abs(history.error).max(axis=0), proof.predicted_each.max(axis=0)
+            yield (
+                f"| {name} | {loop} | {', '.join(format(v, '.2g') for v in largest)} "
+                f"| {', '.join(format(v, '.2g') for v in most)} "
+                f"| {'yes' if proof.obeyed else '; '.join(proof.broken)} |"
+            )
 
 
 def loops_table() -> Iterator[str]:

@@ -1,6 +1,5 @@
 """The typed `aircraft.toml`: what the weaving, the trim and the sensors need to know of an aircraft."""
 
-import tomllib
 from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Literal, Self
@@ -10,6 +9,7 @@ from pydantic import Field, ValidationError, model_validator
 from ftc_jsb.aircraft.airplane_class import AirplaneClass
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.resources import aircraft_folder
+from ftc_jsb.toml_file import TomlError, read_toml
 from ftc_jsb.typed_file import Section, every_problem
 
 _Name = Annotated[str, Field(min_length=1, max_length=200)]
@@ -38,7 +38,9 @@ class Throttle(Section):
     """What the inner loop writes for each engine, `[k]` added: where JSBSim reads it the same frame."""
 
     property: _Name
-    military: Annotated[float, Field(gt=0.0, le=10.0)]  # its value there; twice that is full reheat
+    military: Annotated[
+        float, Field(ge=1e-6, le=10.0)
+    ]  # its value there; twice that is full reheat
 
 
 class Positions(Section):
@@ -75,9 +77,9 @@ class FlightTest(Section):
     fuel_fraction: Annotated[tuple[_Value, ...], Field(min_length=1)]
     load_factor: tuple[_Value, _Value]
     mach_breaks: tuple[_Value, ...] = ()  # Mach numbers at which flaps switch
-    lift_coefficient_max: Annotated[float, Field(gt=0.0, le=10.0)]
+    lift_coefficient_max: Annotated[float, Field(ge=1e-6, le=10.0)]
     # m/s at sea level; above, the tests keep to its dynamic pressure. Default: the lowest airspeed.
-    slowest: Annotated[float, Field(gt=0.0, le=1e3)] | None = None
+    slowest: Annotated[float, Field(ge=1e-3, le=1e3)] | None = None
 
     @model_validator(mode="after")
     def _ranges(self) -> Self:
@@ -136,11 +138,8 @@ def load_aircraft(name: str) -> Aircraft:
 def _read(path: Path, stamp: tuple[int, ...]) -> Aircraft:
     """The file as it was at `stamp`; what has changed since has another stamp."""
     try:
-        values = tomllib.loads(path.read_text(encoding="utf-8"))
-        return Aircraft(**values).model_copy(update={"folder": path.parent})
-    except (OSError, UnicodeDecodeError) as error:
-        raise AircraftError(f"{path}: cannot be read: {error}") from None
-    except tomllib.TOMLDecodeError as error:
-        raise AircraftError(f"{path}: not TOML: {error}") from None
+        return Aircraft(**read_toml(path)).model_copy(update={"folder": path.parent})
+    except TomlError as error:
+        raise AircraftError(f"{path}: {error}") from None
     except ValidationError as error:
         raise AircraftError(f"{path}: {every_problem(error, Aircraft)}") from None

@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 Number = Annotated[float, Field(ge=-1e9, le=1e9)]
-Positive = Annotated[float, Field(gt=0.0, le=1e9)]
+Positive = Annotated[float, Field(ge=1e-9, le=1e9)]
 Row = tuple[Number, ...]
 Table = tuple[Row, ...]
 

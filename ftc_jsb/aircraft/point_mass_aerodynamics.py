@@ -1,4 +1,4 @@
-"""The aerodynamics of a `point_mass.toml`: polar and angle of attack, and drag from measured angles."""
+"""The aerodynamics of a `point_mass.toml`: polar, angle of attack, coefficients from measured angles."""
 
 from typing import Self
 
@@ -89,3 +89,52 @@ class MeasuredDrag(Section):
         if self.sideslip:
             check_shape("measured_drag.sideslip", (self.sideslip,), 1, rows)
         return self
+
+
+class MeasuredLift(Section):
+    """Lift coefficient from measured angles and rates, at the knots of [measured_drag]."""
+
+    mach_alpha: Table
+    alpha_elevator: Table
+    pitch_rate: Row  # m/rad, for each alpha; times q / V
+    path_rate: Number  # m/rad, times the rate of the path over V
+    flap: Number  # 1/rad
+
+    def check_knots(self, drag: MeasuredDrag) -> None:
+        """See that tables and rows are as long as the knots.
+
+        Args:
+            drag: whose knots they are.
+
+        Raises:
+            ValueError: they are not.
+        """
+        rows, columns = len(drag.alpha), len(drag.elevator)
+        check_shape("measured_lift.mach_alpha", self.mach_alpha, len(drag.mach), rows)
+        check_shape("measured_lift.alpha_elevator", self.alpha_elevator, rows, columns)
+        check_shape("measured_lift.pitch_rate", (self.pitch_rate,), 1, rows)
+
+
+class SideForce(Section):
+    """Side-force coefficient along the body's y axis, at the knots of [measured_drag]."""
+
+    sideslip_mach: Row  # 1/rad, for each Mach number; times sideslip
+    sideslip_alpha: Row  # 1/rad, for each alpha; times sideslip
+    sideslip_squared: Number  # 1/rad2, times sideslip and its magnitude
+    roll_rate: Row  # m/rad, for each alpha; times p / V
+    yaw_rate: Row  # m/rad, for each alpha; times r / V
+    aileron: Number  # 1/rad
+    rudder: Number  # 1/rad
+
+    def check_knots(self, drag: MeasuredDrag) -> None:
+        """See that rows are as long as the knots.
+
+        Args:
+            drag: whose knots they are.
+
+        Raises:
+            ValueError: they are not.
+        """
+        check_shape("side_force.sideslip_mach", (self.sideslip_mach,), 1, len(drag.mach))
+        for name in ("sideslip_alpha", "roll_rate", "yaw_rate"):
+            check_shape(f"side_force.{name}", (getattr(self, name),), 1, len(drag.alpha))

@@ -1,20 +1,25 @@
 """The typed `point_mass.toml`: Table 1 of the paper, or an aircraft identified from flights."""
 
 import json
-import tomllib
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 import numpy.typing as npt
-from pydantic import Field, ValidationError
+from pydantic import Field, ValidationError, model_validator
 
 from ftc_jsb.aircraft.description import load_aircraft
 from ftc_jsb.aircraft.knot_tables import Number, Positive
-from ftc_jsb.aircraft.point_mass_aerodynamics import Aerodynamics, MeasuredDrag
+from ftc_jsb.aircraft.point_mass_aerodynamics import (
+    Aerodynamics,
+    MeasuredDrag,
+    MeasuredLift,
+    SideForce,
+)
 from ftc_jsb.aircraft.point_mass_record import model_record
 from ftc_jsb.aircraft.point_mass_thrust import Thrust
 from ftc_jsb.errors import AircraftError
+from ftc_jsb.toml_file import TomlError, read_toml
 from ftc_jsb.typed_file import Section, every_problem
 
 
@@ -31,16 +36,16 @@ class LoadFactor(Section):
 
     minimum: Annotated[float, Field(ge=-10.0, le=0.9)]
     maximum: Annotated[float, Field(ge=1.1, le=20.0)]
-    lift_coefficient_max: Annotated[float, Field(gt=0.0, le=10.0)]
+    lift_coefficient_max: Annotated[float, Field(ge=1e-6, le=10.0)]
 
 
 class InnerLoopResponse(Section):
     """Closed inner loop as second-order lags; without it commands act at once."""
 
     load_factor_frequency: Annotated[float, Field(ge=0.0, le=100.0)] = 0.0  # rad/s
-    load_factor_damping: Annotated[float, Field(gt=0.0, le=5.0)] = 1.0
+    load_factor_damping: Annotated[float, Field(ge=1e-6, le=5.0)] = 1.0
     bank_frequency: Annotated[float, Field(ge=0.0, le=100.0)] = 0.0  # rad/s
-    bank_damping: Annotated[float, Field(gt=0.0, le=5.0)] = 1.0
+    bank_damping: Annotated[float, Field(ge=1e-6, le=5.0)] = 1.0
     bank_rate_max: Annotated[float, Field(ge=0.0, le=20.0)] = 0.0  # rad/s; 0 = no limit
     bank_acceleration_max: Annotated[float, Field(ge=0.0, le=1e3)] = 0.0  # rad/s2; 0 = no limit
 
@@ -79,11 +84,22 @@ class PointMass(Section):
     aerodynamics: Aerodynamics
     thrust: Thrust
     measured_drag: MeasuredDrag | None = None
+    measured_lift: MeasuredLift | None = None
+    side_force: SideForce | None = None
     response: InnerLoopResponse = InnerLoopResponse()
     atmosphere: Atmosphere | None = None
     valid: Validity | None = None  # outside, the loop says so
     # How, when and how well it was fitted.
     identification: dict[str, Any] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _knots(self) -> Self:
+        for name, part in (("measured_lift", self.measured_lift), ("side_force", self.side_force)):
+            if part is not None:
+                if self.measured_drag is None:
+                    raise ValueError(f"{name}: expected [measured_drag], whose knots it has")
+                part.check_knots(self.measured_drag)
+        return self
 
     def initial_mass(self, fuel_fraction: float) -> float:
         """Mass [kg] with a fraction of the internal fuel."""
@@ -113,12 +129,10 @@ def load_point_mass(folder: Path) -> PointMass:
 def _read(path: Path, stamp: tuple[int, ...]) -> PointMass:
     """The file as it was at `stamp`; what has changed since has another stamp."""
     try:
-        values = json.dumps(tomllib.loads(path.read_text(encoding="utf-8")), default=str)
+        values = json.dumps(read_toml(path), default=str)
         point_mass = PointMass.model_validate_json(values, strict=True)
-    except (OSError, UnicodeDecodeError) as error:
-        raise AircraftError(f"{path}: cannot be read: {error}") from None
-    except tomllib.TOMLDecodeError as error:
-        raise AircraftError(f"{path}: not TOML: {error}") from None
+    except TomlError as error:
+        raise AircraftError(f"{path}: {error}") from None
     except ValidationError as error:
         raise AircraftError(f"{path}: {every_problem(error, PointMass)}") from None
     _check_whose(path, point_mass)

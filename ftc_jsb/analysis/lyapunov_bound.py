@@ -16,8 +16,9 @@ from ftc_jsb.errors import TheoryError
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.fly import fly
-from ftc_jsb.theory.error_envelope import FilterModel, Nominal, error_envelope
+from ftc_jsb.theory.error_envelope import FilterModel, Nominal, error_envelope, response
 from ftc_jsb.theory.gains import Gains, given_gains
+from ftc_jsb.theory.kernels.joint_filter import FilterSettings
 from ftc_jsb.theory.lyapunov import (
     Assumptions,
     Flown,
@@ -31,6 +32,7 @@ from ftc_jsb.vocabulary.channels import CHANNELS, TRACKED
 Array = npt.NDArray[np.float64]
 TRACK_VELOCITY = ("ftc", "no-ftc", "oracle", "ekf")  # whose error obeys e' = (A - B K) e + B d
 FEWEST = 3  # samples
+FIXED = 1e-20  # variance of an effectiveness that the filter has no state for
 ERROR_SCALE = np.array(
     [1.0, np.radians(1.0), np.radians(1.0)]
 )  # 1 m/s, 1 deg, 1 deg: (40) adds them
@@ -126,29 +128,38 @@ class _Expected(NamedTuple):
 
 @lru_cache(maxsize=4)
 def _expected(text: str) -> _Expected:
-    """From the flight of section 3, with the faults of a scenario (as JSON) and without."""
+    """From a flight of section 3 of a scenario (as JSON), and one whose law never hears of a loss."""
     scenario = Scenario.model_validate_json(text)
-    loop, estimator, known = scenario.loop, scenario.loop.estimator, fighter()
-    nominal = [fly(scenario), fly(scenario.model_copy(update={"fault": ()}))]
+    loop, known = scenario.loop, fighter()
+    unknowing = loop.model_copy(update={"name": "no-ftc"})
+    nominal = [fly(scenario), fly(scenario.model_copy(update={"loop": unknowing}))]
     rows = min(len(each.record) for each in nominal)
     flown = [_flown(each.record[:rows], scenario) for each in nominal]
-    model = FilterModel(
-        known.kernels.propagate,
-        known.kernels.outputs,
-        known.kernels.parameters,
-        tuple(CHANNELS.index(channel) for channel in estimator.channels),
-        np.array(estimator.process_noise, float),
-        np.array(estimator.measurement_noise, float),
-        np.array(estimator.initial_covariance, float),
-        1.0 / loop.rate,
-    )
+    model = _filter_of_all_channels(scenario)
     floor = np.concatenate([FLOOR * (known.high - known.low)[:3], [EFFECTIVENESS_FLOOR] * 3])
-    flights = [Nominal(each.state, each.command) for each in flown]
     truth = flown[0].effectiveness
-    envelope = error_envelope(model, flights, truth, floor, noisy=False)
+    responses = [response(model, Nominal(each.state, each.command), truth) for each in flown]
+    envelope = error_envelope(responses, floor, noisy=False)
     scale = np.maximum(np.abs(known.low), np.abs(known.high))[3:]
     steps = [np.abs(each.command - each.trim) for each in flown]
     return _Expected(truth, envelope, step_bound(steps, loop.trim_filter, 1.0 / loop.rate, scale))
+
+
+def _filter_of_all_channels(scenario: Scenario) -> FilterModel:
+    """The scenario's filter, each effectiveness in its state; those not estimated do not move."""
+    estimator, loop, kernels = scenario.loop.estimator, scenario.loop, fighter().kernels
+    q, p0 = np.full(6, FIXED), np.full(6, FIXED)
+    places = [0, 1, 2, *(3 + CHANNELS.index(channel) for channel in estimator.channels)]
+    q[places], p0[places] = estimator.process_noise, estimator.initial_covariance
+    settings = FilterSettings(
+        q,
+        np.array(estimator.measurement_noise, float),
+        float(len(q)),
+        loop.effectiveness_floor if estimator.bounded else 0.0,
+        1.0 / loop.rate,
+        loop.name == "ekf",
+    )
+    return FilterModel(kernels.respond, kernels.parameters, (0, 1, 2), settings, p0)
 
 
 def _columns(record: npt.NDArray[Any], names: Any) -> Array:

@@ -9,6 +9,7 @@ from ftc_jsb.analysis.default_limits import flight_limits
 from ftc_jsb.analysis.effectiveness_estimate import estimate_metrics, unobservable_fractions
 from ftc_jsb.analysis.fault_detection import detection_metrics
 from ftc_jsb.analysis.filter_health import estimator_health
+from ftc_jsb.analysis.isolation import isolation_metrics
 from ftc_jsb.analysis.limits import broken_limits
 from ftc_jsb.analysis.loss_of_control import LossOfControl, inverted, loss_of_control
 from ftc_jsb.analysis.tracking import tracking_metrics
@@ -40,6 +41,7 @@ def flight_metrics(flight: Flight) -> Metrics:
         **tracking_metrics(record),
         **estimate_metrics(judged),
         **detection_metrics(record),
+        **isolation_metrics(judged),
         "unobservable_fraction": unobservable_fractions(judged),
         **estimator_health(record),
         **effort_metrics(record),

@@ -59,6 +59,8 @@ def reservations(metrics: Metrics) -> list[Reservation]:
         found.append(Reservation("estimate wrong by ", place, 1.0, 2, ""))
     if metrics["false_alarms"]:
         found.append(Reservation("false alarms: ", ("false_alarms",), 1.0, 0, ""))
+    if metrics["false_suspicions"]:
+        found.append(Reservation("wrongly suspected: ", ("false_suspicions",), 1.0, 0, ""))
     percent = 100.0
     for channel, part in metrics["unobservable_fraction"].items():
         if part is not None and part > NOTABLE:

@@ -11,7 +11,7 @@ from ftc_jsb.scenario.types import Text
 from ftc_jsb.typed_file import Section
 
 _Number = Annotated[float, Field(ge=-1e9, le=1e9)]
-_Positive = Annotated[float, Field(gt=0.0, le=1e9)]
+_Positive = Annotated[float, Field(ge=1e-12, le=1e9)]
 
 _LARGEST = 2**1000  # integer: beyond it, none of any key's
 

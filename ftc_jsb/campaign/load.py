@@ -1,12 +1,12 @@
 """Campaign files: found by name or path, validated with every dispersion, written with their scenarios."""
 
 import json
-import tomllib
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
+from ftc_jsb.bounded_file import is_file
 from ftc_jsb.campaign.case import Bases, case_of, flights_of, scenario_of_case
 from ftc_jsb.campaign.dispersion import Dispersion
 from ftc_jsb.campaign.sampling import middle
@@ -18,12 +18,13 @@ from ftc_jsb.resources import shipped
 from ftc_jsb.scenario.load import (
     file_or_shipped,
     load_scenario,
-    parse_scenario,
     scenario_names,
+    scenario_of,
     scenario_toml,
 )
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import refuse_unflyable
+from ftc_jsb.toml_file import TomlError, read_toml
 from ftc_jsb.typed_file import every_problem
 
 FILE, SCENARIOS = "campaign.toml", "scenarios"  # in the folder of a campaign
@@ -46,14 +47,10 @@ def load_campaign(name: str) -> Bases:
     """
     path = _path(name)
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: cannot be read: {error}") from None
-    try:
-        values = tomllib.loads(text)
+        values = read_toml(path)
         campaign = Campaign.model_validate_json(json.dumps(values, default=str), strict=True)
-    except tomllib.TOMLDecodeError as error:
-        raise ScenarioError(f"{path}: not TOML: {error}") from None
+    except TomlError as error:
+        raise ScenarioError(f"{path}: {error}") from None
     except ValidationError as error:
         raise ScenarioError(f"{path}: {every_problem(error, Campaign)}") from None
     scenarios = tuple(_base(path, entry) for entry in campaign.scenarios)
@@ -112,14 +109,14 @@ def _base(path: Path, entry: str) -> Scenario:
     try:
         if entry in scenario_names() and not entry.endswith(".toml"):
             return load_scenario(entry)
-        if not beside.is_file():
+        if not is_file(beside):
             known = ", ".join(scenario_names())
             raise ScenarioError(
                 f"no scenario {entry!r}; expected one of {known}, or a path beside the campaign"
             )
-        return parse_scenario(beside.read_text(encoding="utf-8"), str(beside))
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: scenarios: {beside}: cannot be read: {error}") from None
+        return scenario_of(read_toml(beside), str(beside))
+    except TomlError as error:
+        raise ScenarioError(f"{path}: scenarios: {beside}: {error}") from None
     except ScenarioError as error:
         raise ScenarioError(f"{path}: scenarios: {error}") from None
 

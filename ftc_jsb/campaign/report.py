@@ -5,6 +5,7 @@ from pathlib import Path
 from shlex import quote
 from typing import Any
 
+from ftc_jsb.bounded_file import read_bounded_text
 from ftc_jsb.campaign.case import Bases, case_of, scenario_of_case
 from ftc_jsb.campaign.load import FILE, load_campaign
 from ftc_jsb.campaign.page.write import page, percent
@@ -15,6 +16,7 @@ from ftc_jsb.errors import RecordingError
 from ftc_jsb.scenario.load import scenario_toml
 
 WORST = "worst"
+_LARGEST = 100_000_000  # bytes; of a search of a thousand flights 1 MB
 
 
 def write_campaign_report(folder: Path) -> dict[str, Any]:
@@ -113,6 +115,6 @@ def _write_scenario(
 
 def _read_json(path: Path) -> dict[str, Any]:
     try:
-        return dict(json.loads(path.read_text(encoding="utf-8")))
-    except (OSError, ValueError) as error:
+        return dict(json.loads(read_bounded_text(path, _LARGEST)))
+    except (ValueError, RecursionError) as error:
         raise RecordingError(f"{path}: cannot be read: {error}") from None

@@ -24,7 +24,7 @@ class Stop(Section):
     event: Event = "failure"
     interval_width: float | None = Field(None, gt=0.0, lt=1.0)  # of the probability of the event
     rate_per_hour: float | None = Field(
-        None, gt=0.0, le=1e6
+        None, ge=1e-12, le=1e6
     )  # proven: the event is rarer than that
     confidence: _Confidence = 0.95
     every: int = Field(100, ge=1, le=1_000_000)  # cases between two looks

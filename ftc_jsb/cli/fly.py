@@ -69,7 +69,7 @@ def fly(
     from ftc_jsb.runs.single import fly_and_save
     from ftc_jsb.scenario.load import load_scenario
 
-    flown = load_scenario(scenario, [*overrides, *_overrides(model, loop)])
+    flown = load_scenario(scenario, [*overrides, *overrides_of(model, loop)])
     if not allow_code:
         refuse_code([flown.loop.name], scenario, [*overrides, loop or ""])
     observers_for: ObserverFactory = progress_for(flown, as_json)
@@ -95,10 +95,10 @@ def fly(
 
         print_flights({result.label: result.metrics})
         click.echo(f"Recording: {folder / 'flight.nc'}")
-    _exit_by(result.metrics)
+    exit_by(result.metrics)
 
 
-def _overrides(model: str | None, loop: str | None) -> list[str]:
+def overrides_of(model: str | None, loop: str | None) -> list[str]:
     """The options --model and --loop as overrides of the scenario."""
     overrides = [f'model="{model}"'] if model else []
     return overrides + ([f"loop.name={json.dumps(loop)}"] if loop else [])
@@ -116,7 +116,7 @@ def _paced(observers_for: "ObserverFactory", rate: float) -> "ObserverFactory":
     return paced
 
 
-def _exit_by(metrics: dict[str, Any]) -> NoReturn:
+def exit_by(metrics: dict[str, Any]) -> NoReturn:
     """Say what went wrong in a flight, and end by its exit code."""
     from ftc_jsb.analysis.verdict import passed
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from ftc_jsb.cli.options import grouped
+from ftc_jsb.cli.options import FiniteRange, grouped
 from ftc_jsb.cli.printing import message
 from ftc_jsb.errors import ScenarioError
 
@@ -36,7 +36,7 @@ live_options = grouped(
     "live", LiveOptions,
     click.option(
         "--realtime", is_flag=False, flag_value=1.0, metavar="[FACTOR]", default=None,
-        type=click.FloatRange(0.01, 100.0), help="Hold the flight back to the clock, or FACTOR times it.",
+        type=FiniteRange(0.01, 100.0), help="Hold the flight back to the clock, or FACTOR times it.",
     ),
     click.option(
         "--mavlink", "endpoint", metavar="ENDPOINT",
@@ -54,7 +54,7 @@ live_options = grouped(
         "--tlog", metavar="FILE", type=click.Path(path_type=Path), help="Write a telemetry log."
     ),
     click.option(
-        "--linger", metavar="SECONDS", type=click.FloatRange(0.0, UNTIL_CTRL_C), default=None,
+        "--linger", metavar="SECONDS", type=FiniteRange(0.0, UNTIL_CTRL_C), default=None,
         help="Time that the vehicle stays after its flight; on a terminal until Ctrl-C, else 0.",
     ),
 )  # fmt: skip

@@ -22,10 +22,12 @@ from ftc_jsb.cli.inner_loop import inner_loop
 from ftc_jsb.cli.inventory import list_
 from ftc_jsb.cli.margins import margins
 from ftc_jsb.cli.options import examples
+from ftc_jsb.cli.plugin import plugin
 from ftc_jsb.cli.printing import message
 from ftc_jsb.cli.replay import replay
 from ftc_jsb.cli.report import report
 from ftc_jsb.cli.schema import schema
+from ftc_jsb.cli.surroundings import check_arguments, check_memory
 from ftc_jsb.cli.theory import theory
 from ftc_jsb.cli.warm import warm
 from ftc_jsb.errors import UserError
@@ -47,6 +49,8 @@ class _Commands(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
+            check_arguments(sys.argv[1:])
+            check_memory(next((text for text in sys.argv[1:] if not text.startswith("-")), ""))
             with ended_by_signals():
                 return super().invoke(ctx)
         except UserError as error:
@@ -61,6 +65,9 @@ class _Commands(click.Group):
         except (click.ClickException, click.Abort, click.exceptions.Exit, BrokenPipeError):
             raise
         except Exception as error:
+            if isinstance(error, OSError) and error.filename is not None:
+                message(f"{str(error.filename)[:200]}: {error.strerror}")
+                sys.exit(BAD_USAGE)
             message(reported(error))
             sys.exit(UNEXPECTED)
 
@@ -81,6 +88,6 @@ def main() -> None:
 
 for _command in (
     bench, campaign, check, compare, completion, convert, export, figures, fly,
-    identify, inner_loop, list_, margins, replay, report, schema, theory, warm,
+    identify, inner_loop, list_, margins, plugin, replay, report, schema, theory, warm,
 ):  # fmt: skip
     main.add_command(_command)

@@ -6,7 +6,15 @@ from typing import TYPE_CHECKING, cast
 import click
 
 from ftc_jsb.cli.announcement import announce
-from ftc_jsb.cli.options import MODELS, Output, code_option, examples, json_option, output_options
+from ftc_jsb.cli.options import (
+    MODELS,
+    FiniteRange,
+    Output,
+    code_option,
+    examples,
+    json_option,
+    output_options,
+)
 from ftc_jsb.cli.printing import print_json, progress_line
 
 if TYPE_CHECKING:
@@ -20,12 +28,16 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("name", metavar="SCENARIO|AIRCRAFT")
 @click.option("--model", type=MODELS, default="jsbsim", show_default=True, help="What is flown.")
-@click.option("--airspeed", metavar="M/S", type=float, help="In place of the scenario's.")
-@click.option("--altitude", metavar="M", type=float, help="In place of the scenario's.")
+@click.option(
+    "--airspeed", metavar="M/S", type=FiniteRange(0.0, 1e5), help="In place of the scenario's."
+)
+@click.option(
+    "--altitude", metavar="M", type=FiniteRange(0.0, 1e5), help="In place of the scenario's."
+)
 @click.option(
     "--amplitude",
     metavar="FACTOR",
-    type=click.FloatRange(1e-3, 1e3),
+    type=FiniteRange(1e-3, 1e3),
     default=1.0,
     show_default=True,
     help="Of the signals that are injected: 20 N, 0.005 g, 0.005 rad times this.",

@@ -1,6 +1,7 @@
 """Arguments and options that several commands have."""
 
 import functools
+import math
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from pathlib import Path
@@ -41,6 +42,19 @@ code_option = click.option(
 )
 force_option = click.option("--force", is_flag=True, help="Write into DIR though it is not empty.")
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON for machines.")
+
+
+class FiniteRange(click.FloatRange):
+    """A number in a range, of which nan and infinity are no part."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        """As `click.FloatRange`, which takes nan for every bound."""
+        number = super().convert(value, param, ctx)
+        if not math.isfinite(number):
+            self.fail(f"{number} is not in the range {self._describe_range()}.", param, ctx)
+        return float(number)
 
 
 def _hush(ctx: click.Context, _: click.Parameter, quiet: bool) -> None:

@@ -24,7 +24,7 @@ def replay(recording: Path, allow_code: bool, live: LiveOptions) -> None:
     A ground station may watch; what it says is ignored.
     """
     from ftc_jsb.loops.code import refuse_code
-    from ftc_jsb.recording.netcdf import attributes_of, load
+    from ftc_jsb.recording.netcdf import load
     from ftc_jsb.simulation.replay import changed_since, differences
     from ftc_jsb.simulation.replay import replay as fly_again
 
@@ -43,7 +43,7 @@ def replay(recording: Path, allow_code: bool, live: LiveOptions) -> None:
             f"{len(flight.commands)} commands"
         )
         return
-    for change in changed_since(flight, attributes_of(recording)):
+    for change in changed_since(flight):
         message(change)
     first = found[0]
     message(

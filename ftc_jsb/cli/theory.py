@@ -21,6 +21,7 @@ def theory(context: click.Context, name: str, seed: int, output: Output, as_json
 
     NAME is fighter, levitator, reactor, textbook or vessel; FILE.py defines CASE (docs/theory.md).
     """
+    from ftc_jsb.compiled import is_first_run
     from ftc_jsb.runs.metrics_file import write_metrics
     from ftc_jsb.runs.theory import (
         LOOPS,
@@ -28,6 +29,7 @@ def theory(context: click.Context, name: str, seed: int, output: Output, as_json
         analyse,
         document,
         fly_case,
+        foresee,
         load_case,
         write_history,
     )
@@ -37,9 +39,13 @@ def theory(context: click.Context, name: str, seed: int, output: Output, as_json
     with output.folder(f"theory-{Path(name).stem}") as folder:
         progress_line(f"{case.title}: analysing")
         analysis = analyse(case)
+        first = is_first_run(f"{analysis.loop.kernels.package}.closed_loop")
+        progress_line(
+            "flying" + ("; a new system is compiled first, half a minute" if first else "")
+        )
+        expected = foresee(analysis)
         for loop in LOOPS:  # written as it goes: an interruption loses nothing finished
-            progress_line(f"flying {loop}; a new system is compiled first, which takes a minute")
-            flights[loop] = flight = fly_case(analysis, loop, seed)
+            flights[loop] = flight = fly_case(analysis, loop, seed, expected)
             if flight.history is not None:
                 write_history(case, flight.history, folder / f"{loop}.nc")
             write_metrics(folder / "theory.json", document(analysis, flights))

@@ -3,6 +3,7 @@
 import math
 
 from ftc_jsb.compiled import compiled
+from ftc_jsb.control.believed_readings import believe_isolation
 from ftc_jsb.control.instruments import (
     NOTHING,
     consider_instruments,
@@ -264,6 +265,8 @@ def _record_effectiveness(s: LoopSettings, x: LoopState, row: Row) -> None:
             row.effectiveness_bank_angle_est = estimate
             row.effectiveness_bank_angle_std = deviation
     row.fault_statistic = statistic
+    if s.isolation.enabled == 1:
+        believe_isolation(x.isolation, o.detector, row)
     row.fault_declared = float(o.detector.declared)
 
 

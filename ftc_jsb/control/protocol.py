@@ -40,6 +40,8 @@ class Measurement(NamedTuple):
     roll_rate: float
     yaw_rate: float
     acceleration: float  # of the force along the velocity, thrust less drag, over mass [m/s^2]
+    aileron: float
+    rudder: float
 
 
 class Reference(NamedTuple):

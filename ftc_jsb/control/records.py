@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from ftc_jsb.estimation.detector import DETECTOR
 from ftc_jsb.estimation.process import FILTER, OUTPUTS, STATES
+from ftc_jsb.isolation.records import ISOLATION, ISOLATION_SETTINGS
 
 NO_ESTIMATOR, UNSCENTED, EXTENDED = 0, 1, 2
 ESTIMATED, ASSUMED_HEALTHY, TRUE = 0, 1, 2
@@ -50,6 +51,7 @@ LOOP_SETTINGS = np.dtype(
         ("detector_margin", float),
         ("detector_sigmas", float),
         ("detector_hold", float),  # [s]
+        ("isolation", ISOLATION_SETTINGS),
     ]
 )
 
@@ -94,6 +96,7 @@ LOOP_STATE = np.dtype(
     [
         ("known", KNOWN),
         ("observer", OBSERVER),
+        ("isolation", ISOLATION),
         ("trim", float, (3,)),  # u_n of (10): thrust [N], load factor, bank [rad]
         ("demand", float, (3,)),  # limited u of the previous sample
         ("integral", float, (3,)),  # of the tracking errors

@@ -9,15 +9,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ftc_jsb.analysis.fault_steps import fault_steps
+from ftc_jsb.analysis.geodesy import over_the_ground
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.vocabulary.quantities import DEGREES
 
 RATE = 25.0  # Hz at most; TacView interpolates
 AIRCRAFT = "101"  # identity of the object, hexadecimal
-EARTH_RADIUS = 6_371_000.0  # m, mean; of the drop of the ground below the tangent plane
 REFERENCE_TIME = "1970-01-01T12:00:00Z"
 PROPERTIES = (  # property, variable of the recording, factor to the unit that the format fixes
     ("TAS", "airspeed", 1.0),  # m/s
@@ -64,15 +62,12 @@ def _lines(flight: Flight) -> Iterator[str]:
 
 def _places(flight: Flight) -> tuple[Any, Any]:
     """Longitude and latitude [deg], (rows,) each, of the way over the tangent plane (WGS 84)."""
-    from pymap3d import enu2geodetic
-
     initial, record = flight.scenario.initial, flight.record
-    north, east = record["north"], record["east"]
-    # The ground falls away below the plane, so that a given altitude is lower over the plane.
-    up = record["altitude"] - initial.altitude - (north**2 + east**2) / (2.0 * EARTH_RADIUS)
     origin = (initial.latitude_deg, initial.longitude_deg, initial.altitude)
-    latitude, longitude, _ = enu2geodetic(east, north, up, *origin)
-    return np.asarray(longitude), np.asarray(latitude)
+    latitude, longitude = over_the_ground(
+        record["north"], record["east"], record["altitude"], origin
+    )
+    return longitude, latitude
 
 
 def _properties(row: Any) -> str:

@@ -45,5 +45,7 @@ PROFILES: dict[str, dict[str, Errors]] = {
         "east": _POSITION,
         "elevator_position": _PICK_OFF,
         "flap_position": _PICK_OFF,
+        "aileron_position": _PICK_OFF,
+        "rudder_position": _PICK_OFF,
     },
 }

@@ -27,10 +27,9 @@ from ftc_jsb.disturbance.faults import (
 )
 from ftc_jsb.disturbance.noise import normal
 from ftc_jsb.disturbance.sensor_profiles import PROFILES, Errors
-from ftc_jsb.frames import path_from_attitude
+from ftc_jsb.frames import measure_force, measure_path
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.sensors import Sensor, Sensors
-from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.kernel_types import Numbers, Records
 from ftc_jsb.vocabulary.signals import SIGNALS
 
@@ -47,6 +46,7 @@ SENSORS = np.dtype(
         ("delay", float, (COUNT,)),  # [s]
         ("truth", np.int64, (COUNT,)),  # column of the recording that is read
         ("measured", np.int64, (COUNT,)),  # and the one that is written
+        ("last", float, (COUNT,)),  # readings of the sample before
     ]
 )
 
@@ -116,26 +116,13 @@ def measure(instruments: Instruments, i: int) -> None:
             table[i, s.measured[k]] = table[i, s.truth[k]]
         else:
             table[i, s.measured[k]] = _reading(instruments, i, k)
+        s.last[k] = table[i, s.measured[k]]
     if s.perfect == 1:
         row.flight_path_angle_meas, row.heading_meas = row.flight_path_angle, row.heading
         row.load_factor_meas, row.bank_angle_meas = row.load_factor, row.bank_angle
+        measure_force(row)
     else:
-        path, turn, bank = path_from_attitude(
-            row.alpha_meas, row.sideslip_meas, row.roll_meas, row.pitch_meas
-        )
-        row.flight_path_angle_meas = path
-        row.heading_meas = row.yaw_meas + turn
-        row.bank_angle_meas = bank
-        row.load_factor_meas = row.load_factor_z_meas * math.cos(
-            row.alpha_meas
-        ) + row.load_factor_x_meas * math.sin(row.alpha_meas)
-    sa, ca = math.sin(row.alpha_meas), math.cos(row.alpha_meas)
-    sb, cb = math.sin(row.sideslip_meas), math.cos(row.sideslip_meas)
-    row.acceleration_meas = STANDARD_GRAVITY * (
-        row.load_factor_x_meas * ca * cb
-        + row.load_factor_y_meas * sb
-        - row.load_factor_z_meas * sa * cb
-    )
+        measure_path(row)
 
 
 @compiled
@@ -155,7 +142,7 @@ def _reading(instruments: Instruments, i: int, k: int) -> float:
         if fault.kind == DROPOUT:
             return math.nan
         if fault.kind == FREEZE and i > 0:
-            return float(table[i - 1, s.measured[k]])
+            return float(s.last[k])
         if fault.kind == BIAS:
             offset += amount * fault.value
         elif fault.kind == NOISE:

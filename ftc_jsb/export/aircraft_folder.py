@@ -60,8 +60,6 @@ def export(aircraft: Aircraft, corrected: bool, folder: Path) -> list[Path]:
         AircraftError, TrimError: it cannot be woven, loaded or trimmed.
         WriteError: the folder cannot be written.
     """
-    import jsbsim
-
     initial = level_flight(aircraft)
     fuel = AircraftChoice().fuel_fraction
     root = woven_aircraft(aircraft, corrected)
@@ -73,9 +71,7 @@ def export(aircraft: Aircraft, corrected: bool, folder: Path) -> list[Path]:
         _write(initial_condition(initial), place)
         (new / "scripts").mkdir()
         _write(_script(aircraft, fdm), new / "scripts" / f"{model}.xml")
-        installed = Path(jsbsim.get_default_root_dir())
-        shutil.copy(Path(jsbsim.__file__).parent / "LICENSE.txt", new / "JSBSIM-LICENSE.txt")
-        (new / "NOTICE").write_text(_notice(new, model, installed), encoding="utf-8")
+        licences(new, model)
         (new / "README.txt").write_text(_readme(aircraft, initial), encoding="utf-8")
         written = [path.relative_to(new) for path in new.rglob("*") if path.is_file()]
     return sorted(folder / name for name in written)
@@ -86,16 +82,22 @@ def _copy(root: Path, folder: Path, model: str) -> None:
     for part in ("aircraft", "engine"):
         shutil.copytree(root / part, folder / part)
     (folder / "systems").mkdir()
+    for path in shared_systems(root, model):
+        shutil.copy(path, folder / "systems")
+
+
+def shared_systems(root: Path, model: str) -> list[Path]:
+    """Systems of a woven aircraft's root that its files ask for, and that are not its own."""
     asking = list((root / "aircraft" / model).rglob("*.xml"))
-    copied: set[str] = set()
+    found: dict[str, Path] = {}
     while asking:
         for name in re.findall(r'file="([^"]+)"', asking.pop().read_text(errors="replace")):
             source = root / "systems" / f"{name.removesuffix('.xml')}.xml"
-            own = folder / "aircraft" / model / "Systems" / source.name
-            if source.is_file() and not own.is_file() and source.name not in copied:
-                shutil.copy(source, folder / "systems")
-                copied.add(source.name)
+            own = root / "aircraft" / model / "Systems" / source.name
+            if source.is_file() and not own.is_file() and source.name not in found:
+                found[source.name] = source
                 asking.append(source)
+    return list(found.values())
 
 
 def _script(aircraft: Aircraft, fdm: Any) -> ET.Element:
@@ -115,31 +117,44 @@ def _write(element: ET.Element, path: Path) -> None:
     ET.ElementTree(element).write(path, encoding="utf-8", xml_declaration=True)
 
 
-def _notice(folder: Path, model: str, installed: Path) -> str:
-    changed: list[tuple[str, Path]] = []
-    copied: list[tuple[str, Path]] = []
-    for part in ("aircraft", "engine", "systems"):
-        for path in sorted((folder / part).rglob("*.xml")):
-            if path.name.startswith(OWN):
-                continue
-            name = path.relative_to(folder)
-            source = _source(installed, model, name)
-            same = source.read_bytes() == path.read_bytes()
-            (copied if same else changed).append((str(name), source))
+def licences(folder: Path, model: str) -> None:
+    """Write NOTICE and JSBSim's licence to a folder of files that derive from JSBSim's.
+
+    Args:
+        folder: whose XML files are looked through, those of ftc-jsb's own apart.
+        model: of JSBSim.
+    """
     import jsbsim
 
+    shutil.copy(Path(jsbsim.__file__).parent / "LICENSE.txt", folder / "JSBSIM-LICENSE.txt")
+    changed: list[tuple[str, Path]] = []
+    copied: list[tuple[str, Path]] = []
+    for path in sorted(folder.rglob("*.xml")):
+        source = _source(model, path)
+        if path.name.startswith(OWN) or source is None:
+            continue
+        same = source.read_bytes() == path.read_bytes()
+        (copied if same else changed).append((str(path.relative_to(folder)), source))
     versions = f"ftc-jsb {ftc_jsb.__version__} with jsbsim {jsbsim.__version__}"
-    return notice(changed, copied, versions, str(datetime.datetime.now(datetime.UTC).date()))
+    text = notice(changed, copied, versions, str(datetime.datetime.now(datetime.UTC).date()))
+    (folder / "NOTICE").write_text(text, encoding="utf-8")
 
 
-def _source(installed: Path, model: str, name: Path) -> Path:
-    """The installed file that a file of the export derives from."""
-    if name.parts[0] == "engine":
-        for place in ("Engines", "engines"):
-            own = installed / "aircraft" / model / place / name.name
-            if own.is_file():
-                return own
-    return installed / name
+def _source(model: str, path: Path) -> Path | None:
+    """The installed file that a file of an export derives from; None if there is none."""
+    import jsbsim
+
+    installed = Path(jsbsim.get_default_root_dir())
+    own = installed / "aircraft" / model
+    kind, name = path.parent.name.lower().rstrip("s"), path.name
+    places = {
+        "engine": (own / "Engines", own / "engines", own, installed / "engine"),
+        "system": (own / "Systems", installed / "systems"),
+    }.get(kind, (own,))
+    for place in places:
+        if (place / name).is_file():
+            return place / name
+    return own / f"{model}.xml" if path.stem in (model, f"{model}-ftc") else None
 
 
 def _readme(aircraft: Aircraft, initial: Initial) -> str:

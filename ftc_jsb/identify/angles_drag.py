@@ -81,7 +81,7 @@ def fit_angles_drag(data: Samples, breaks: Sequence[float]) -> AnglesDrag:
     solution = solve(
         _angles_design(data, mach, alpha, elevator),
         data.drag,
-        1.0 / data.drag,
+        data.share / data.drag,
         [SMOOTH * level * smooth, RIDGE * np.eye(sizes[-1])],
     )
     table, elevator_table, pitch_rate, sideslip, flap, squared = np.split(solution, sizes[:-1])

@@ -36,7 +36,13 @@ def fly_manoeuvre(aircraft: Aircraft, manoeuvre: Manoeuvre, area: float) -> npt.
     choice = AircraftChoice(name=str(aircraft.folder), fuel_fraction=manoeuvre.fuel_fraction)
     initial = Initial(airspeed=manoeuvre.airspeed, altitude=manoeuvre.altitude)
     try:
-        trimmed = trimmed_aircraft(choice, initial, round(manoeuvre.duration / DT) + 1)
+        trimmed = trimmed_aircraft(
+            choice,
+            initial,
+            round(manoeuvre.duration / DT) + 1,
+            wind=manoeuvre.wind,
+            seed=manoeuvre.seed,
+        )
     except TrimError:
         return None
     idle, maximum = readers(trimmed.fdm, DECK)

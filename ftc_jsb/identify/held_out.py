@@ -7,9 +7,11 @@ import numpy.typing as npt
 
 from ftc_jsb.aircraft.dynamic_pressure import density_at
 from ftc_jsb.identify.angles_drag import AnglesDrag
+from ftc_jsb.identify.measured_lift import MeasuredLift
 from ftc_jsb.identify.polar import Polar
 from ftc_jsb.identify.regression import Array
 from ftc_jsb.identify.samples import between_knots, relative_residual, samples
+from ftc_jsb.identify.side_force import SideForce
 from ftc_jsb.identify.thrust_deck import Deck
 from ftc_jsb.point_mass.model import MODEL
 from ftc_jsb.point_mass.thrust import spool_rate
@@ -46,6 +48,30 @@ def drag_residuals(
         relative_residual(angles.predict(check), check),
         1.0 - len(check.mach) / len(flown.mach),
     )
+
+
+def lift_residual(records: list[npt.NDArray[Any]], area: float, lift: MeasuredLift) -> Array:
+    """C_L predicted - C_L flown, within the Mach range of the fit.
+
+    Args:
+        records: flights that were not fitted to.
+        area: reference area [m^2].
+        lift: as fitted.
+    """
+    check = between_knots(samples(records, area), lift.mach)
+    return lift.predict(check) - check.lift
+
+
+def side_force_residual(records: list[npt.NDArray[Any]], area: float, side: SideForce) -> Array:
+    """Sideslip that the side force tells less the true one [rad], within the Mach range of the fit.
+
+    Args:
+        records: flights that were not fitted to.
+        area: reference area [m^2].
+        side: as fitted.
+    """
+    check = between_knots(samples(records, area), side.mach)
+    return (check.side - side.predict(check)) / side.slope(check)
 
 
 def thrust_residual(

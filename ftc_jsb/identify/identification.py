@@ -11,15 +11,18 @@ from ftc_jsb.identify import manoeuvres
 from ftc_jsb.identify.angles_drag import fit_angles_drag
 from ftc_jsb.identify.flight_test import fly_manoeuvre
 from ftc_jsb.identify.inner_loop_lag import fit_lag
+from ftc_jsb.identify.measured_lift import fit_measured_lift
 from ftc_jsb.identify.point_mass_contents import FittedModel, FlownTests, contents
 from ftc_jsb.identify.polar import fit_alpha, fit_polar
-from ftc_jsb.identify.samples import samples
+from ftc_jsb.identify.samples import joined, samples
+from ftc_jsb.identify.side_force import fit_side_force
 from ftc_jsb.identify.spool import fit_spool
 from ftc_jsb.identify.thrust_deck import fit_deck
 from ftc_jsb.six_dof.commanded_flight import DT
 from ftc_jsb.six_dof.data_sheet import data_sheet
 
 Progress = Callable[[str], None]
+IN_GUSTS = 0.2  # that a sample in gusts counts, beside one in still air
 SHORTEST = 100  # samples of a test flight that is worth keeping
 
 
@@ -38,26 +41,42 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
     """
     sheet = data_sheet(aircraft)
     sheet = sheet._replace(area=round(sheet.area, 6))  # as the file has it
-    fitted, without = _fly(aircraft, sheet.area, manoeuvres.training, progress)
-    held_out, other = _fly(aircraft, sheet.area, manoeuvres.held_out, progress)
-    tests = FlownTests(fitted, held_out, without + other)
-    progress(f"fitting {sum(map(len, tests.fitted)) * DT:.0f} s of flight")
-    return contents(aircraft, sheet, tests, _fit(aircraft, sheet.area, tests.fitted))
+
+    def flown(plan: Callable[..., Any]) -> tuple[list[npt.NDArray[Any]], int]:
+        return _fly(aircraft, sheet.area, plan, progress)
+
+    training, without = flown(manoeuvres.training)
+    gusty, more = flown(manoeuvres.training_in_gusts)
+    held_out, other = flown(manoeuvres.held_out)
+    held_out_gusty, rest = flown(manoeuvres.held_out_in_gusts)
+    tests = FlownTests(training, gusty, held_out, held_out_gusty, without + more + other + rest)
+    fitted = [*tests.fitted, *tests.fitted_in_gusts]
+    progress(f"fitting {sum(map(len, fitted)) * DT:.0f} s of flight")
+    return contents(aircraft, sheet, tests, _fit(aircraft, sheet.area, tests))
 
 
-def _fit(aircraft: Aircraft, area: float, records: list[npt.NDArray[Any]]) -> FittedModel:
-    """Every part of the point mass, the polar from the drag that is left without sideslip."""
-    data = samples(records, area)
+def _fit(aircraft: Aircraft, area: float, tests: FlownTests) -> FittedModel:
+    """Every part of the point mass, the polar from the drag that is left without sideslip.
+
+    Drag, lift and side force are those of all flights, what follows commands that of still air. Gusts turn the
+    air about the aircraft, which no gyro sees, and JSBSim takes induced drag from the frame before: in drag and
+    lift over angle of attack their samples count less.
+    """
+    records = tests.fitted
+    still = samples(records, area)
+    data = joined(still, samples(tests.fitted_in_gusts, area, IN_GUSTS))
     breaks = aircraft.flight_test.mach_breaks
     angles = fit_angles_drag(data, breaks)
     polar = fit_polar(data._replace(drag=data.drag - angles.of_sideslip(data)), breaks)
-    alpha = fit_alpha(data, polar.mach)
+    alpha = fit_alpha(still, polar.mach)
     deck = fit_deck(records)
     spool_up, spool_down = fit_spool(records, deck)
     return FittedModel(
         polar,
         alpha,
         angles,
+        fit_measured_lift(data, angles),
+        fit_side_force(data, angles),
         deck,
         spool_up,
         spool_down,

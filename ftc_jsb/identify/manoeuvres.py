@@ -9,6 +9,7 @@ import numpy as np
 from ftc_jsb.aircraft.airplane_class import AGILE
 from ftc_jsb.aircraft.description import FlightTest
 from ftc_jsb.aircraft.test_range import slowest
+from ftc_jsb.scenario.wind import Wind
 
 MIXED_MARGIN = 25.0  # [m/s] above the slowest test
 MIXED_BANK = math.radians(110.0)
@@ -16,6 +17,9 @@ MIXED_BANK = math.radians(110.0)
 # Commands at a time [s]: thrust fraction (0 idle, 1 maximum), load factor, flight path angle to
 # hold [rad] or nan, bank angle [rad]. With a path to hold, load factor is what holds it.
 Schedule = Callable[[float], tuple[float, float, float, float]]
+
+STILL_AIR = Wind()
+GUSTS = (Wind(turbulence="moderate"), Wind(turbulence="severe"))
 
 
 class Manoeuvre(NamedTuple):
@@ -27,6 +31,8 @@ class Manoeuvre(NamedTuple):
     fuel_fraction: float
     duration: float  # [s]
     schedule: Schedule
+    wind: Wind = STILL_AIR
+    seed: int = 0  # of the turbulence
 
 
 def training(test: FlightTest) -> Iterator[Manoeuvre]:
@@ -64,6 +70,35 @@ def held_out(test: FlightTest) -> Iterator[Manoeuvre]:
         altitude = float(random.uniform(test.altitude[0], test.altitude[-1]))
         fuel = float(random.uniform(test.fuel_fraction[0], test.fuel_fraction[-1]))
         yield _mixed(test, altitude, fuel, seed=9000 + seed)
+
+
+def training_in_gusts(test: FlightTest) -> Iterator[Manoeuvre]:
+    """The flights that are fitted to for what gusts do: angle of attack and sideslip without a command."""
+    for number, altitude in enumerate(test.altitude):
+        fuel = test.fuel_fraction[number % len(test.fuel_fraction)]
+        slow, high = slowest(test, altitude), test.airspeed[1]
+        level = Manoeuvre("level acceleration", slow + 15.0, altitude, fuel, 40.0, _accelerate)
+        yield _in_gusts(level, number)
+        for wind in range(len(GUSTS)):
+            seed = 100 * number + 50 + wind
+            yield _in_gusts(_mixed(test, altitude, fuel, seed=seed), seed)
+        back = Manoeuvre("level deceleration", 0.93 * high, altitude, fuel, 40.0, _decelerate)
+        yield _in_gusts(back, number + 1)
+
+
+def held_out_in_gusts(test: FlightTest) -> Iterator[Manoeuvre]:
+    """Flights in gusts that no fit has seen: other altitudes, manoeuvres and seeds of the turbulence."""
+    for seed in range(9100, 9106):
+        random = np.random.default_rng(seed)
+        altitude = float(random.uniform(test.altitude[0], test.altitude[-1]))
+        fuel = float(random.uniform(test.fuel_fraction[0], test.fuel_fraction[-1]))
+        yield _in_gusts(_mixed(test, altitude, fuel, seed=seed), seed)
+
+
+def _in_gusts(manoeuvre: Manoeuvre, seed: int) -> Manoeuvre:
+    """The same in moderate (even seeds) or severe turbulence."""
+    wind = GUSTS[seed % len(GUSTS)]
+    return manoeuvre._replace(name=f"{manoeuvre.name}, gusts", wind=wind, seed=seed)
 
 
 def _accelerate(time: float) -> tuple[float, float, float, float]:

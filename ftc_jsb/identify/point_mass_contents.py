@@ -13,11 +13,18 @@ from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.aircraft.point_mass_file import PointMass
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.identify.angles_drag import AnglesDrag
-from ftc_jsb.identify.held_out import drag_residuals, thrust_residual
+from ftc_jsb.identify.held_out import (
+    drag_residuals,
+    lift_residual,
+    side_force_residual,
+    thrust_residual,
+)
 from ftc_jsb.identify.inner_loop_lag import Lag
+from ftc_jsb.identify.measured_lift import MeasuredLift
 from ftc_jsb.identify.polar import Polar
 from ftc_jsb.identify.regression import Array
 from ftc_jsb.identify.samples import samples
+from ftc_jsb.identify.side_force import SideForce
 from ftc_jsb.identify.thrust_deck import Deck
 from ftc_jsb.six_dof.data_sheet import DataSheet
 from ftc_jsb.typed_file import first_problem
@@ -28,7 +35,9 @@ class FlownTests(NamedTuple):
     """Recordings of the test flights."""
 
     fitted: list[npt.NDArray[Any]]
+    fitted_in_gusts: list[npt.NDArray[Any]]
     held_out: list[npt.NDArray[Any]]
+    held_out_in_gusts: list[npt.NDArray[Any]]
     not_flown: int  # for want of a trim, or at once out of range
 
 
@@ -38,6 +47,8 @@ class FittedModel(NamedTuple):
     polar: Polar
     alpha: Array  # [rad], (mach, powers of C_L)
     angles: AnglesDrag
+    lift: MeasuredLift
+    side_force: SideForce
     deck: Deck
     spool_up: Array  # (3,) coefficients of `thrust.spool_rate`
     spool_down: Array
@@ -71,6 +82,8 @@ def contents(
         },
         "aerodynamics": _aerodynamics(sheet.area, polar, model.alpha),
         "measured_drag": _measured_drag(model.angles),
+        "measured_lift": _measured_lift(model.lift),
+        "side_force": _side_force(model.side_force),
         "thrust": _thrust(sheet.engines, model),
         "response": _response(model.load_factor, model.bank),
         "valid": {
@@ -109,6 +122,28 @@ def _measured_drag(angles: AnglesDrag) -> dict[str, Any]:
     }
 
 
+def _measured_lift(lift: MeasuredLift) -> dict[str, Any]:
+    return {
+        "mach_alpha": _rounded(lift.mach_alpha, 5),
+        "alpha_elevator": _rounded(lift.alpha_elevator, 5),
+        "pitch_rate": _rounded(lift.pitch_rate, 4),
+        "path_rate": round(lift.path_rate, 4),
+        "flap": round(lift.flap, 5),
+    }
+
+
+def _side_force(side: SideForce) -> dict[str, Any]:
+    return {
+        "sideslip_mach": _rounded(side.sideslip_mach, 5),
+        "sideslip_alpha": _rounded(side.sideslip_alpha, 5),
+        "sideslip_squared": round(side.sideslip_squared, 4),
+        "roll_rate": _rounded(side.roll_rate, 4),
+        "yaw_rate": _rounded(side.yaw_rate, 4),
+        "aileron": round(side.aileron, 6),
+        "rudder": round(side.rudder, 6),
+    }
+
+
 def _thrust(engines: int, model: FittedModel) -> dict[str, Any]:
     deck = model.deck
     return {
@@ -141,6 +176,9 @@ def _identification(
     import jsbsim
 
     drag = drag_residuals(tests.held_out, area, model.polar, model.angles)
+    gusty = drag_residuals(tests.held_out_in_gusts, area, model.polar, model.angles)
+    everything = [*tests.held_out, *tests.held_out_in_gusts]
+    slip = side_force_residual(everything, area, model.side_force)
     thrust = thrust_residual(tests.held_out, model.deck, model.spool_up, model.spool_down)
     alpha = samples(tests.fitted, area).alpha
     return {
@@ -149,18 +187,27 @@ def _identification(
         "jsbsim_model": aircraft.jsbsim_model,
         "jsbsim": jsbsim.__version__,
         "ftc_jsb": ftc_jsb.__version__,
-        "flights": len(tests.fitted),
+        "flights": len(tests.fitted) + len(tests.fitted_in_gusts),
+        "flights_in_gusts": len(tests.fitted_in_gusts),
         "flights_not_flown": tests.not_flown,
-        "flights_held_out": len(tests.held_out),
+        "flights_held_out": len(everything),
+        "flights_held_out_in_gusts": len(tests.held_out_in_gusts),
         "held_out_beyond_mach_range_percent": round(100.0 * drag.beyond, 2),
         "alpha_range_deg": _range(np.degrees(alpha)),
         "residual_drag_polar_percent": _rms_percent(drag.polar),
         "residual_drag_polar_without_sideslip_percent": _rms_percent(drag.polar_without_sideslip),
         "residual_drag_angles_percent": _rms_percent(drag.angles),
+        "residual_drag_polar_in_gusts_percent": _rms_percent(gusty.polar),
+        "residual_drag_angles_in_gusts_percent": _rms_percent(gusty.angles),
+        "residual_lift_coefficient": _rms(lift_residual(tests.held_out, area, model.lift)),
+        "residual_lift_coefficient_in_gusts": _rms(
+            lift_residual(tests.held_out_in_gusts, area, model.lift)
+        ),
+        "residual_sideslip_by_side_force_deg": _rms(np.degrees(slip)),
         "residual_thrust_percent_of_maximum": _rms_percent(thrust),
         "residual_load_factor_response": round(model.load_factor.residual, 4),
         "residual_bank_response_deg": round(float(np.degrees(model.bank.residual)), 3),
-        "residuals": "RMS; drag and thrust on held-out flights, relative",
+        "residuals": "RMS on held-out flights, drag and thrust relative",
     }
 
 
@@ -189,6 +236,10 @@ def _rounded(values: Array, digits: int) -> Any:
 
 def _range(values: Array) -> list[float]:
     return [round(float(values.min()), 3), round(float(values.max()), 3)]
+
+
+def _rms(error: Array) -> float:
+    return round(float(np.sqrt(np.mean(error**2))), 5)
 
 
 def _rms_percent(error: Array) -> float:

@@ -5,6 +5,7 @@ import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
 
+REFINEMENTS = 6  # of the normal equations' solution, which alone would lose half of the digits
 RIDGE = 1e-5  # of relative drag: decides only what no flight has seen
 
 
@@ -31,14 +32,30 @@ def second_differences(rows: int, columns: int) -> Array:
 def solve(design: Array, target: Array, weight: Array, penalties: list[Array]) -> Array:
     """Coefficients of weighted least squares; each row of a penalty is wanted to be zero.
 
+    A sample touches a few coefficients of a table, so that the normal equations of sparse columns, scaled to
+    equal size, take seconds where an orthogonal factor takes minutes; residuals of the samples refine them.
+    Knots that only penalties hold may be too much for them: then the orthogonal factor is taken.
+
     Args:
         design: (samples, coefficients).
         target: (samples,).
         weight: (samples,), on the residual.
         penalties: matrices (rows, coefficients), scaled by the caller against residuals of 1.
     """
+    from scipy.linalg import cho_factor, cho_solve
+    from scipy.sparse import csr_array, diags_array, vstack
+
     scale = np.sqrt(len(design))
-    matrix = np.vstack([design * weight[:, None], *(scale * p for p in penalties)])
-    right = np.concatenate([target * weight, np.zeros(len(matrix) - len(design))])
-    solution, *_ = np.linalg.lstsq(matrix, right, rcond=None)
-    return np.asarray(solution)
+    rows = [csr_array(design * weight[:, None]), *(csr_array(scale * p) for p in penalties)]
+    matrix = csr_array(vstack(rows))
+    right = np.concatenate([target * weight, np.zeros(matrix.shape[0] - len(design))])
+    norms = np.sqrt(np.asarray(matrix.power(2).sum(axis=0)).ravel())
+    unit = matrix @ diags_array(1.0 / norms)
+    try:
+        factor = cho_factor((unit.T @ unit).toarray())
+    except np.linalg.LinAlgError:
+        return np.asarray(np.linalg.lstsq(unit.toarray(), right, rcond=None)[0] / norms)
+    solution = np.zeros(len(norms))
+    for _ in range(REFINEMENTS):
+        solution += cho_solve(factor, unit.T @ (right - unit @ solution))
+    return np.asarray(solution / norms)

@@ -21,28 +21,50 @@ class Samples(NamedTuple):
     elevator: Array
     flap: Array
     pitch_rate: Array  # q / V
+    path_rate: Array  # of the velocity in the plane of symmetry, over V
+    side: Array  # C_Y along the body's y axis
+    aileron: Array
+    rudder: Array
+    roll_rate: Array  # p / V
+    yaw_rate: Array  # r / V
+    share: Array  # that a sample counts in the fits of drag and lift
 
 
-def samples(records: list[npt.NDArray[Any]], area: float) -> Samples:
-    """Drag and lift coefficients along test flights, every 5th sample after the first 0.2 s.
+def samples(records: list[npt.NDArray[Any]], area: float, share: float = 1.0) -> Samples:
+    """Aerodynamic coefficients along test flights, every 5th sample after the first 0.2 s.
 
     Args:
         records: (rows,) of each flight.
         area: reference area [m^2].
+        share: that each of them counts.
     """
     rows = np.concatenate([record[20::5] for record in records])
     force = pressure_area(density_at(rows["altitude"]), rows["airspeed"], area)
-    normal = rows["load_factor"] * rows["mass"] * STANDARD_GRAVITY
+    weight = rows["mass"] * STANDARD_GRAVITY
+    airspeed = rows["airspeed"]
+    turning = rows["load_factor"] - np.cos(rows["flight_path_angle"]) * np.cos(rows["bank_angle"])
     return Samples(
-        (normal - rows["thrust"] * np.sin(rows["alpha"])) / force,
+        (rows["load_factor"] * weight - rows["thrust"] * np.sin(rows["alpha"])) / force,
         rows["drag"] / force,
         rows["mach"],
         rows["alpha"],
         rows["sideslip"],
         rows["elevator"],
         rows["flap"],
-        rows["pitch_rate"] / rows["airspeed"],
+        rows["pitch_rate"] / airspeed,
+        STANDARD_GRAVITY * turning / airspeed**2,
+        rows["load_factor_y"] * weight / force,
+        rows["aileron"],
+        rows["rudder"],
+        rows["roll_rate"] / airspeed,
+        rows["yaw_rate"] / airspeed,
+        np.full(len(rows), share),
     )
+
+
+def joined(*parts: Samples) -> Samples:
+    """The samples of all parts."""
+    return Samples(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
 def between_knots(data: Samples, mach: Array, lift: Array | None = None) -> Samples:

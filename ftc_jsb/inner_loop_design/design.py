@@ -17,6 +17,7 @@ from ftc_jsb.inner_loop_design.reference_search import (
     fastest_reference,
 )
 from ftc_jsb.point_mass.atmosphere import standard_atmosphere
+from ftc_jsb.six_dof.weaving.trial import vouch_for
 from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 from ftc_jsb.units import FOOT, POUND_FORCE
 
@@ -60,13 +61,15 @@ def design(aircraft: Aircraft, progress: Progress) -> Design:
         AircraftError: no trim, a surface that turns nothing, or no frequency that keeps the criterion.
     """
     with tempfile.TemporaryDirectory(prefix="ftc-jsb-") as scratch:
-        folder = Path(scratch) / aircraft.name
+        folder = Path(scratch) / aircraft.folder.name
         shutil.copytree(aircraft.folder, folder)
         write_provisional(folder / "inner_loop.xml", aircraft)
         trial = load_aircraft(str(folder))
         handling = CLASSES[class_of(trial)]
         progress(f"class {class_of(trial)} of MIL-F-8785C; measuring the airframe")
-        airframe = measure(trial, woven_aircraft(trial, True), mach_numbers(trial.flight_test))
+        woven = woven_aircraft(trial, True)
+        vouch_for(folder)
+        airframe = measure(trial, woven, mach_numbers(trial.flight_test))
         slowest = References(
             handling.load_factor_frequencies[-1], DAMPING, handling.bank_frequencies[-1], DAMPING
         )

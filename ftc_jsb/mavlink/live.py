@@ -57,6 +57,10 @@ class LiveFlight:
             pass
         return False
 
+    def announce(self, text: str) -> None:
+        """As a STATUSTEXT."""
+        self.vehicle.announce(text)
+
     def _again(self) -> bool:
         self.commands.clear()
         self.vehicle.begin_again()
@@ -96,6 +100,9 @@ class LogOnly:
         with atomic_file(self._path, replace=False) as part:
             write_tlog(flight, part)
         return False
+
+    def announce(self, text: str) -> None:
+        """To nobody."""
 
     def summary(self) -> list[str]:
         """Nothing to be said."""

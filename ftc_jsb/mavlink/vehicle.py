@@ -17,6 +17,7 @@ from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.mavlink.commands.message_dispatch import MessageDispatcher
 from ftc_jsb.mavlink.commands.parameters import Parameters
+from ftc_jsb.mavlink.link.budget import Budget
 from ftc_jsb.mavlink.link.encoder import Encoder
 from ftc_jsb.mavlink.link.endpoint import Endpoint
 from ftc_jsb.mavlink.link.receiver import Receiver
@@ -24,7 +25,7 @@ from ftc_jsb.mavlink.link.telemetry_log import TelemetryLog
 from ftc_jsb.mavlink.link.transport import Transport, open_transport
 from ftc_jsb.mavlink.link.vehicle_link import Link, LinkStatistics
 from ftc_jsb.mavlink.telemetry.flight_events import LONGEST_TEXT, FlightEvents
-from ftc_jsb.mavlink.telemetry.message_streams import StreamSchedule, message_fields
+from ftc_jsb.mavlink.telemetry.message_streams import Station, StreamSchedule, message_fields
 from ftc_jsb.mavlink.telemetry.snapshot import LinkHealth, Phase, Snapshot, SnapshotBuilder
 from ftc_jsb.recording.commands import Command
 from ftc_jsb.recording.flight import Flight
@@ -35,6 +36,7 @@ from ftc_jsb.simulation.pacing import Pacer
 RECEIVE_TIME = 0.002  # [s] that the thread receives at a time ...
 FLOOD_REST = 0.008  # [s] ... before it rests from a flood: a fifth of a core at most
 EVENT_INTERVAL = 0.1  # [s] between searches for events
+MOST_SENT = 2000.0  # [1/s] messages: what stations may ask for as streams, and answers as many
 LONGEST_SLEEP = 0.05  # [s] of the thread
 
 
@@ -57,6 +59,7 @@ class Vehicle:
         self.scenario = scenario
         self.parameters = Parameters(scenario.loop)
         self.schedule = StreamSchedule()
+        self.station: Station = (0, 0)
         self.leaves_after_flight = False
         self._queue, self._link, self._log, self._pacer = queue, link, log, pacer
         self._encoder = Encoder(link.system, link.key)
@@ -65,7 +68,11 @@ class Vehicle:
         self._selector = selectors.DefaultSelector()
         self._transport: Transport | None = None
         if link.endpoint is not None:
-            self._transport = open_transport(link.endpoint, self._selector)
+            try:
+                self._transport = open_transport(link.endpoint, self._selector)
+            except BaseException:
+                self._selector.close()
+                raise
         self._dispatcher = MessageDispatcher(self, link, log)
         self._flown: tuple[npt.NDArray[Any], int] | None = None  # recording and row
         self._end_phase: Phase | None = None
@@ -74,7 +81,8 @@ class Vehicle:
         self._searched: tuple[npt.NDArray[Any] | None, int, float] = (None, 0, 0.0)
         self._last: Snapshot | None = None
         self._last_key: tuple[object, ...] = ()
-        self._sent = 0
+        self._sent = self._over_budget = 0
+        self._budget = Budget(MOST_SENT)
         self._errors: list[str] = []
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self._run, name="mavlink", daemon=True)
@@ -106,6 +114,10 @@ class Vehicle:
             self._texts.append((dialect.MAV_SEVERITY_CRITICAL, f"{status}: {reason}"))
         self._end_phase = Phase.OVER if status in ("complete", "ended") else Phase.LOST
 
+    def announce(self, text: str) -> None:
+        """Tell the ground stations something that stands in no row."""
+        self._texts.append((dialect.MAV_SEVERITY_NOTICE, text))
+
     def close(self) -> LinkStatistics:
         """Leave the link; what has gone over it."""
         self._closing.set()
@@ -124,7 +136,7 @@ class Vehicle:
         """What has gone over the link so far."""
         return LinkStatistics(
             self._sent,
-            self._transport.unsent if self._transport else 0,
+            (self._transport.unsent if self._transport else 0) + self._over_budget,
             self._receiver.received,
             self._receiver.refused,
             self._dispatcher.ignored,
@@ -144,10 +156,14 @@ class Vehicle:
             else:
                 self._last = self._snapshots.at(*flown, phase, time.time(), self._health())
             self._last_key = key
-        return self._last._replace(unix=time.time(), health=self._health())
+        critical = self._events.critical
+        return self._last._replace(unix=time.time(), health=self._health(), critical=critical)
 
     def send(self, message: type[Any], fields: Mapping[str, Any]) -> None:
-        """Send a message to every ground station, and log it."""
+        """Send a message to every ground station, and log it; beyond the budget it is counted and gone."""
+        if not self._budget.take() and message is not dialect.MAVLink_heartbeat_message:
+            self._over_budget += 1
+            return
         frame = self._encoder.frame(message, fields)
         self._sent += 1
         if self._transport is not None:

@@ -67,7 +67,7 @@ def alpha_slope(at: Condition, lift_coefficient: float) -> float:
 
 
 @compiled
-def _between(row: Any, j: int, fraction: float) -> float:
+def between(row: Any, j: int, fraction: float) -> float:
     """Value of a row of a table between its knots j and j + 1."""
     if fraction == 0.0:
         return float(row[j])
@@ -94,12 +94,12 @@ def measured_drag_coefficient(
     i, a = bracket(model.measured_mach, model.measured_mach_count, mach)
     j, b = bracket(model.measured_alpha, model.measured_alpha_count, alpha)
     k, c = bracket(model.measured_elevator, model.measured_elevator_count, elevator)
-    slope = _between(model.measured_pitch_rate, j, b)
+    slope = between(model.measured_pitch_rate, j, b)
     return float(
         bilinear(model.measured_mach_alpha, i, a, j, b)
         + bilinear(model.measured_alpha_elevator, j, b, k, c)
         + slope * pitch_rate_per_speed
         + model.measured_flap * flap
-        + _between(model.measured_sideslip, j, b) * abs(sideslip)
+        + between(model.measured_sideslip, j, b) * abs(sideslip)
         + model.measured_sideslip_squared * sideslip * sideslip
     )

@@ -53,6 +53,20 @@ MODEL = np.dtype(
         ("measured_flap", float),  # [1/rad]
         ("measured_sideslip", float, (ALPHA_KNOTS,)),  # [1/rad], times its magnitude
         ("measured_sideslip_squared", float),  # [1/rad^2]
+        ("measured_lift_count", np.int64),  # 0 = no lift from measured angles
+        ("lift_mach_alpha", float, (MACH_KNOTS, ALPHA_KNOTS)),
+        ("lift_alpha_elevator", float, (ALPHA_KNOTS, ELEVATOR_KNOTS)),
+        ("lift_pitch_rate", float, (ALPHA_KNOTS,)),  # [m/rad], times q / V
+        ("lift_path_rate", float),  # [m/rad], times the path's rate / V
+        ("lift_flap", float),  # [1/rad]
+        ("side_force_count", np.int64),  # 0 = no side force
+        ("side_sideslip_mach", float, (MACH_KNOTS,)),  # [1/rad]
+        ("side_sideslip_alpha", float, (ALPHA_KNOTS,)),  # [1/rad]
+        ("side_sideslip_squared", float),  # [1/rad^2]
+        ("side_roll_rate", float, (ALPHA_KNOTS,)),  # [m/rad], times p / V
+        ("side_yaw_rate", float, (ALPHA_KNOTS,)),  # [m/rad], times r / V
+        ("side_aileron", float),  # [1/rad]
+        ("side_rudder", float),  # [1/rad]
         ("deck_mach_count", np.int64),
         ("deck_altitude_count", np.int64),
         ("deck_mach", float, (MACH_KNOTS,)),

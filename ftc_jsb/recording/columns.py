@@ -169,6 +169,22 @@ def _outer_loop() -> list[Variable]:
         Variable("thrust_model", "N", "thrust that the loop expects of a healthy engine"),
         Variable("fault_statistic", "1", "detector statistic; a fault is declared above 1"),
         Variable("fault_declared", "1", "1 while the detector declares a fault"),
+        Variable(
+            "suspect", "1", "whose fault it is believed to be: its number in the list of hypotheses"
+        ),
+        Variable(
+            "suspect_probability", "1", "probability of that hypothesis when it was decided on"
+        ),
+        Variable(
+            "isolation_statistic",
+            "1",
+            "log likelihood ratio of the best hypothesis, over its threshold",
+        ),
+        Variable(
+            "excluded",
+            "1",
+            "instruments that something stands in for: bits in the order of the sensors",
+        ),
     ]
 
 

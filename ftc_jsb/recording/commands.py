@@ -20,7 +20,7 @@ class SetAirspeed(Section):
 
     kind: Literal["set-airspeed"] = "set-airspeed"
     value: float = Field(ge=50.0, le=600.0)  # m/s
-    rate: float = Field(gt=0.0, le=100.0)  # m/s^2
+    rate: float = Field(ge=1e-9, le=100.0)  # m/s^2
 
 
 class SetFlightPath(Section):
@@ -28,7 +28,7 @@ class SetFlightPath(Section):
 
     kind: Literal["set-flight-path"] = "set-flight-path"
     value: float = Field(ge=-1.05, le=1.05)  # rad: 60 deg, as in [reference]
-    rate: float = Field(gt=0.0, le=1.0)  # rad/s
+    rate: float = Field(ge=1e-9, le=1.0)  # rad/s
 
 
 class SetHeading(Section):
@@ -36,7 +36,7 @@ class SetHeading(Section):
 
     kind: Literal["set-heading"] = "set-heading"
     value: float = Field(ge=-6.3, le=6.3)  # rad: one turn either way
-    rate: float = Field(gt=0.0, le=1.0)  # rad/s
+    rate: float = Field(ge=1e-9, le=1.0)  # rad/s
 
 
 class SetAltitude(Section):
@@ -44,8 +44,8 @@ class SetAltitude(Section):
 
     kind: Literal["set-altitude"] = "set-altitude"
     value: float = Field(ge=0.0, le=20000.0)  # m
-    flight_path: float = Field(gt=0.0, le=1.05)  # rad, the steepest
-    rate: float = Field(gt=0.0, le=1.0)  # rad/s, of the flight path
+    flight_path: float = Field(ge=1e-9, le=1.05)  # rad, the steepest
+    rate: float = Field(ge=1e-9, le=1.0)  # rad/s, of the flight path
 
 
 class SetFaults(Section):

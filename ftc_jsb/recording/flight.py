@@ -32,7 +32,10 @@ class Flight(NamedTuple):
         """Time between two rows [s]: a sample's, or several where the recording was thinned."""
         if self.record.size < 2:
             return 1.0 / self.scenario.loop.rate
-        return float(self.record["time"][1] - self.record["time"][0])
+        time = self.record["time"]
+        if self.scenario.model == "flightgear":  # samples came when they came: the mean
+            return float(time[-1] - time[0]) / (time.size - 1)
+        return float(time[1] - time[0])
 
     @property
     def label(self) -> str:

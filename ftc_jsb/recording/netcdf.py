@@ -1,22 +1,26 @@
 """A flight as a NetCDF file that holds all it takes to fly it again."""
 
-import json
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
-from pydantic import ValidationError
 
 from ftc_jsb.atomic_file import atomic_file
-from ftc_jsb.errors import RecordingError, ScenarioError, WriteError
+from ftc_jsb.bounded_file import is_file
+from ftc_jsb.errors import RecordingError, WriteError
 from ftc_jsb.interruption import uninterrupted
+from ftc_jsb.recording.checked import (
+    check_rows,
+    checked_attributes,
+    checked_commands,
+    checked_scenario,
+    checked_sizes,
+)
 from ftc_jsb.recording.columns import ROW, VARIABLES
-from ftc_jsb.recording.commands import parse_commands
 from ftc_jsb.recording.description import attributes
 from ftc_jsb.recording.flight import Flight, Outcome
+from ftc_jsb.recording.integrity import sealed
 from ftc_jsb.recording.provenance import Provenance
-from ftc_jsb.scenario.load import parse_scenario
-from ftc_jsb.typed_file import Section, first_problem
 
 COMPRESSION: dict[str, Any] = {"zlib": True, "complevel": 1}
 
@@ -39,8 +43,8 @@ def _write(flight: Flight, path: Path) -> None:
     import netCDF4
 
     with netCDF4.Dataset(path, "w") as file:
-        file.setncatts(attributes(flight))
         record = flight.record[:: flight.scenario.simulation.record_every]
+        file.setncatts(sealed(attributes(flight), record))
         file.createDimension("time", record.size)
         for name, unit, meaning in VARIABLES:
             column = file.createVariable(name, float, "time", fill_value=np.nan, **COMPRESSION)
@@ -48,55 +52,44 @@ def _write(flight: Flight, path: Path) -> None:
             column[:] = record[name]
 
 
-def attributes_of(path: Path) -> dict[str, Any]:
-    """Attributes of a recording that `load` has read."""
-    import xarray
-
-    with xarray.open_dataset(path, engine="netcdf4", decode_times=False) as dataset:
-        return dict(dataset.attrs)
-
-
 def load(path: Path) -> Flight:
     """Read a flight back.
 
     Raises:
-        RecordingError: not a recording of this program, or damaged.
+        RecordingError: not a recording of this program, damaged, or larger than a flight of its scenario.
     """
-    import netCDF4
-
-    if not path.is_file():
+    if not is_file(path):
         raise RecordingError(f"{path}: no such file; expected a recording (flight.nc)")
     try:
-        with netCDF4.Dataset(path) as file:
-            file.set_auto_mask(False)
-            found = {name: file.getncattr(name) for name in file.ncattrs()}
-            columns = {name: variable[:] for name, variable in file.variables.items()}
-    except (OSError, RuntimeError, ValueError) as error:
-        raise RecordingError(f"{path}: not a readable NetCDF file: {error}") from None
-    missing = [key for key in ("scenario", "status", "end_time_s", "reason") if key not in found]
-    missing += [name for name in ROW.names or () if name not in columns]
-    if missing:
-        raise RecordingError(f"{path}: not a recording of this program: it has no {missing[0]!r}")
-    try:
-        scenario = parse_scenario(str(found["scenario"]), str(path))
-    except ScenarioError as error:
-        raise RecordingError(f"{error} (the scenario inside the recording)") from None
-    record = np.zeros(columns["time"].size, ROW)
-    for name in ROW.names or ():
-        record[name] = columns[name]
-    try:
-        commands = parse_commands(str(found.get("commands", "[]")))
-    except ValidationError as error:
-        raise RecordingError(f"{path}: commands: {first_problem(error, Section)}") from None
-    status = cast(Any, found["status"])
-    outcome = Outcome(status, float(found["end_time_s"]), str(found["reason"]))
-    return Flight(scenario, record, outcome, None, commands, _provenance(found))
+        return _read(path)
+    except RecordingError:
+        raise
+    except MemoryError:
+        raise RecordingError(f"{path}: there is not enough memory to read it") from None
+    except Exception as error:  # whatever the library makes of a file that is none
+        reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
+        reason = reason.splitlines()[0]
+        raise RecordingError(f"{path}: not a readable NetCDF file: {reason}") from None
 
 
-def _provenance(attributes: dict[Any, Any]) -> Provenance:
-    """As the recording says; an older one does not name the machine."""
-    try:
-        found = {str(k): str(v) for k, v in json.loads(str(attributes["versions"])).items()}
-    except (KeyError, ValueError, AttributeError):
-        found = {}
-    return Provenance(found, str(attributes.get("machine", "machine not recorded")))
+def _read(path: Path) -> Flight:
+    """What the file says is checked before it is believed, sizes before anything of that size is read."""
+    import netCDF4
+
+    source = str(path)
+    with netCDF4.Dataset(path) as file:
+        file.set_auto_maskandscale(False)
+        found = {name: file.getncattr(name) for name in file.ncattrs()}
+        attributes = checked_attributes(found, source)
+        scenario = checked_scenario(attributes, source)
+        commands = checked_commands(attributes, scenario, source)
+        sizes = {name: dimension.size for name, dimension in file.dimensions.items()}
+        record = np.empty(
+            checked_sizes(sizes, dict[str, Any](file.variables), scenario, source), ROW
+        )
+        for name in ROW.names or ():
+            record[name] = file.variables[name][:]
+    check_rows(record, found, scenario, source)
+    outcome = Outcome(attributes.status, attributes.end_time_s, attributes.reason)
+    provenance = Provenance(attributes.versions, attributes.machine, attributes.aircraft_digest)
+    return Flight(scenario, record, outcome, None, commands, provenance)

@@ -19,6 +19,7 @@ class Provenance(NamedTuple):
 
     versions: dict[str, str]  # by package
     machine: str
+    aircraft_digest: str = ""  # as the function of that name; "" where it was not recorded
 
 
 def aircraft_digest(scenario: Scenario) -> str:

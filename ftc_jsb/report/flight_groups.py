@@ -68,7 +68,8 @@ def model_pairs(flights: Flights) -> list[tuple[str, str]]:
         pairs += [
             (label, six_dof[flight.scenario.loop.name])
             for label, flight in members.items()
-            if flight.scenario.model != "jsbsim" and flight.scenario.loop.name in six_dof
+            if flight.scenario.model in ("paper", "identified")
+            and flight.scenario.loop.name in six_dof
         ]
     return pairs
 

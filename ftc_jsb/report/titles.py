@@ -25,6 +25,8 @@ def model_title(scenario: Scenario) -> str:
     if scenario.model == "identified":
         return f"Point mass (identified {aircraft_title(scenario)})"
     stock = ", stock controls" if scenario.aircraft.flight_control == "stock" else ""
+    if scenario.model == "flightgear":
+        return f"FlightGear {aircraft_title(scenario)}{stock}"
     return f"JSBSim {aircraft_title(scenario)}{stock}"
 
 

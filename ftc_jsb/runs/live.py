@@ -22,5 +22,8 @@ class Live(Protocol):
     def flies_again(self, flight: Flight) -> bool:
         """A flight is over and saved; whether another of the same scenario is wanted."""
 
+    def announce(self, text: str) -> None:
+        """Tell ground stations something that stands in no row."""
+
     def summary(self) -> list[str]:
         """What went over the link, and how well time was kept; for the user."""

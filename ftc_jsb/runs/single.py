@@ -1,5 +1,6 @@
 """One flight, flown and saved."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -7,6 +8,7 @@ import numpy as np
 
 from ftc_jsb.analysis.metrics import Metrics, flight_metrics
 from ftc_jsb.interruption import uninterrupted
+from ftc_jsb.recording.flight import Flight
 from ftc_jsb.runs.live import Live
 from ftc_jsb.runs.metrics_file import document, write_metrics
 from ftc_jsb.runs.observers import ObserverFactory
@@ -29,6 +31,7 @@ def fly_and_save(
     observers_for: ObserverFactory,
     live: Live | None = None,
     output: Path | None = None,
+    flown_by: Callable[..., Flight] = fly,
 ) -> Result:
     """Fly; write `flight.nc` and `metrics.json`, also of a flight that did not end well.
 
@@ -40,6 +43,7 @@ def fly_and_save(
         observers_for: gives the observers.
         live: real time and ground stations.
         output: JSBSim's output directive.
+        flown_by: in place of `fly`, with its arguments.
 
     Raises:
         UserError: as `fly`; or the folder cannot be written.
@@ -51,10 +55,10 @@ def fly_and_save(
         while True:
             with observers_for(scenario.model) as observers:
                 if live is None:
-                    flight = fly(scenario, observers, output=output)
+                    flight = flown_by(scenario, observers, output=output)
                 else:
                     beside = (*observers, *live.observers)
-                    flight = fly(scenario, beside, commands=live.commands, output=output)
+                    flight = flown_by(scenario, beside, commands=live.commands, output=output)
             if flown:
                 path.replace(folder / f"flight-{flown}.nc")
             save_or_rescue(flight, path)

@@ -3,19 +3,22 @@
 import importlib.util
 import sys
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple, cast
 
 import numpy as np
 
 from ftc_jsb.errors import RecordingError, TheoryError
-from ftc_jsb.theory.bounds import Bounds, bounds
+from ftc_jsb.theory.bounds import Bounds
 from ftc_jsb.theory.case import Case
 from ftc_jsb.theory.closed_loop import ClosedLoop, History, Loop
-from ftc_jsb.theory.constants import ProofConstants, proof_constants
-from ftc_jsb.theory.linearization import Linearization, linearize
+from ftc_jsb.theory.constants import ProofConstants
+from ftc_jsb.theory.derived import derive
+from ftc_jsb.theory.linearization import Linearization
 from ftc_jsb.theory.lyapunov import LyapunovBound
-from ftc_jsb.theory.proof import fly_and_prove
+from ftc_jsb.theory.proof import Expected, expect, fly_and_prove
 from ftc_jsb.theory.systems import CASES
 from ftc_jsb.theory.zero_dynamics import ZeroDynamics, zero_dynamics
 
@@ -37,8 +40,8 @@ class TheoryFlight(NamedTuple):
     """A flight of the case by one loop, or why there is none."""
 
     history: History | None
-    proof: LyapunovBound | None  # None: the plant is not the model
-    problem: str
+    proof: LyapunovBound | None  # None: the plant is not the model, or nothing could be predicted
+    problem: str  # why one of them is None
 
 
 def load_case(name: str) -> Case:
@@ -75,35 +78,60 @@ def analyse(case: Case) -> Analysis:
     Raises:
         TheoryError: the theory does not cover the system, or the gains are none for it.
     """
-    linear = linearize(case.system)
-    loop = ClosedLoop(linear, case.gains(linear), case.plant)
+    linear, found, constants, kernels = derive(case.system, case.plant)
     return Analysis(
         case,
         linear,
         zero_dynamics(linear, list(case.initial), list(case.trim)),
-        bounds(case.system),
-        proof_constants(linear),
-        loop,
+        found,
+        constants,
+        ClosedLoop(linear, case.gains(linear), case.plant, kernels),
     )
 
 
-def fly_case(analysis: Analysis, name: Loop, seed: int) -> TheoryFlight:
-    """Fly by one loop; a flight that ends early is told, not raised."""
+def foresee(analysis: Analysis) -> Expected | str:
+    """What is expected of the flights of a case, or why nothing can be."""
     case = analysis.case
+    if case.plant is not None:
+        return "the plant is not the model, so no bound is predicted"
+    try:
+        with _without_warnings():
+            task = case.task(analysis.linearization)
+            return expect(analysis.loop, task, case.settings, case.conditions)
+    except TheoryError as error:
+        return f"no bound is predicted, for told state and fault: {error}"
+
+
+def fly_case(analysis: Analysis, name: Loop, seed: int, expected: Expected | str) -> TheoryFlight:
+    """Fly by one loop; a flight that ends early is told, not raised.
+
+    Args:
+        analysis: of the case.
+        name: of the loop.
+        seed: of the noise.
+        expected: by `foresee`.
+    """
+    case, loop = analysis.case, analysis.loop
     settings = case.settings._replace(loop=name)
     conditions = case.conditions._replace(seed=seed)
     task = case.task(analysis.linearization)
+    try:
+        with _without_warnings():
+            if isinstance(expected, str):
+                return TheoryFlight(loop.fly(*task, settings, conditions), None, expected)
+            known = (analysis.constants, expected)
+            history, proof = fly_and_prove(loop, task, settings, conditions, known)
+            return TheoryFlight(history, proof, "")
+    except TheoryError as error:
+        return TheoryFlight(None, None, str(error))
+
+
+@contextmanager
+def _without_warnings() -> Iterator[None]:
+    """What is warned of, the zero dynamics, is in the analysis."""
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # the zero dynamics are in the analysis
-        try:
-            if case.plant is not None:
-                return TheoryFlight(analysis.loop.fly(*task, settings, conditions), None, "")
-            history, proof = fly_and_prove(
-                analysis.loop, task, settings, conditions, analysis.constants
-            )
-        except TheoryError as error:
-            return TheoryFlight(None, None, str(error))
-    return TheoryFlight(history, proof, "")
+        warnings.simplefilter("ignore")
+        yield
 
 
 def document(analysis: Analysis, flights: dict[str, TheoryFlight]) -> dict[str, Any]:
@@ -152,6 +180,7 @@ def _flight_document(flight: TheoryFlight) -> dict[str, Any]:
             "decay_rate": flight.proof.rate,
             "ball_radius": flight.proof.radius,
             "predicted_error": float(flight.proof.predicted.max()),
+            "predicted_each": flight.proof.predicted_each.max(axis=0).tolist(),
             "largest_error": float(flight.proof.error.max()),
             "bound_obeyed": flight.proof.obeyed,
             "assumptions_broken": list(flight.proof.broken),

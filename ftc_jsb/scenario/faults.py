@@ -69,14 +69,14 @@ class Fault(Section):
     )
     size: Bound | None = None  # bias, standard deviation, or drift a second of a sensor
     size_deg: Bound | None = None  # the same of an angle [deg] or an angular rate [deg/s]
-    delay: float | None = Field(None, gt=0.0, le=10.0)  # s
+    delay: float | None = Field(None, ge=1e-6, le=10.0)  # s
     start: Time  # s
     end: Time | None = None  # s, recovery
     shape: Literal["step", "ramp", "intermittent"] = "step"
-    rise: float | None = Field(None, gt=0.0, le=86400.0)  # s, of a ramp
-    fall: float | None = Field(None, gt=0.0, le=86400.0)  # s from `end` on, in which it goes again
-    period: float | None = Field(None, gt=0.0, le=86400.0)  # s, of an intermittent fault
-    duty: float | None = Field(None, gt=0.0, lt=1.0)  # part of each period that is faulty
+    rise: float | None = Field(None, ge=1e-6, le=86400.0)  # s, of a ramp
+    fall: float | None = Field(None, ge=1e-6, le=86400.0)  # s from `end` on, in which it goes again
+    period: float | None = Field(None, ge=1e-6, le=86400.0)  # s, of an intermittent fault
+    duty: float | None = Field(None, ge=1e-6, lt=1.0)  # part of each period that is faulty
 
     @model_validator(mode="after")
     def _kind_suits_target(self) -> Self:

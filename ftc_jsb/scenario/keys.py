@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ftc_jsb.errors import ScenarioError
+from ftc_jsb.toml_file import DEEPEST
 
 _INDEX = re.compile(r"0*(\d{1,9})")
 
@@ -35,11 +36,14 @@ def with_value(values: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
     become lists.
 
     Raises:
-        ScenarioError: the way leads through a value, or to an entry that an array has not.
+        ScenarioError: the way leads through a value, or to an entry that an array has not, or has
+            more than 32 parts.
     """
     changed = dict(values)
     place: Any = changed
     path = path_of(key)
+    if len(path) > DEEPEST:
+        raise ScenarioError(f"expected a key of {DEEPEST} parts at most")
     for depth, part in enumerate(path):
         selector = _selector(place, path[:depth], part)
         if depth == len(path) - 1:

@@ -1,18 +1,19 @@
 """Scenario files: found by name or path, overridden from the command line, validated, written out."""
 
 import json
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
+from ftc_jsb.bounded_file import is_file, is_folder
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.resources import shipped
 from ftc_jsb.scenario.keys import with_value
 from ftc_jsb.scenario.schema import DESCRIPTION_LENGTH, TITLE_LENGTH, Scenario
 from ftc_jsb.suggestion import did_you_mean
+from ftc_jsb.toml_file import NOT_TOML, TomlError, parse_toml, read_toml
 from ftc_jsb.typed_file import every_problem
 
 _NOT_TOLD = (
@@ -53,11 +54,11 @@ def file_or_shipped(name: str, folder: Path, kind: str) -> Path:
     """
     path = Path(name)
     candidate = folder / f"{name}.toml"
-    if path.suffix != ".toml" and path.name == name and candidate.is_file():
+    if path.suffix != ".toml" and path.name == name and is_file(candidate):
         return candidate  # whatever the working folder has of that name
-    if path.is_file():
+    if is_file(path):
         return path
-    if path.is_dir():
+    if is_folder(path):
         raise ScenarioError(f"{name}: is a folder; expected the path of a {kind} (.toml)")
     if path.suffix == ".toml" or path.name != name:
         raise ScenarioError(f"{name}: no such file; expected the path of a {kind} (.toml)")
@@ -81,13 +82,11 @@ def load_scenario(name: str, overrides: Sequence[str] = ()) -> Scenario:
     """
     path = scenario_path(name)
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: cannot be read: {error}") from None
-    scenario = parse_scenario(text, str(path))
-    if not overrides:
-        return scenario
-    return override_scenario(tomllib.loads(text), overrides, str(path))
+        values = read_toml(path)
+    except TomlError as error:
+        raise ScenarioError(f"{path}: {error}") from None
+    scenario = scenario_of(values, str(path))
+    return override_scenario(values, overrides, str(path)) if overrides else scenario
 
 
 def override_scenario(
@@ -120,9 +119,10 @@ def parse_scenario(text: str, source: str) -> Scenario:
         ScenarioError: not TOML, or not a scenario.
     """
     try:
-        return scenario_of(tomllib.loads(text), source)
-    except tomllib.TOMLDecodeError as error:
-        raise ScenarioError(f"{source}: not TOML: {error}") from None
+        values = parse_toml(text)
+    except TomlError as error:
+        raise ScenarioError(f"{source}: {error}") from None
+    return scenario_of(values, source)
 
 
 def scenario_of(values: dict[str, Any], source: str) -> Scenario:
@@ -171,12 +171,12 @@ def _overridden(values: dict[str, Any], override: str, option: str) -> dict[str,
             f"{option} {override!r}: expected KEY=VALUE, such as loop.trim_filter=20"
         )
     try:
-        value = tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
+        value = parse_toml(f"value = {text}")["value"]
+    except TomlError as error:
+        if not str(error).startswith(NOT_TOML):
+            raise ScenarioError(f"{option} {key.strip()[:80]}: {error}") from None
         value = text.strip()
-    except (ValueError, RecursionError) as error:
-        raise ScenarioError(f"{option} {key.strip()}: cannot be read: {error}") from None
     try:
         return with_value(values, key, value)
     except ScenarioError as error:
-        raise ScenarioError(f"{option} {key}: {error}") from None
+        raise ScenarioError(f"{option} {key[:80]}: {error}") from None

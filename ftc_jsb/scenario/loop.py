@@ -11,7 +11,7 @@ from ftc_jsb.vocabulary.channels import Channel
 _Gain = Annotated[float, Field(ge=0.0, le=100.0)]
 
 
-_Variance = Annotated[float, Field(gt=0.0, le=1e6)]
+_Variance = Annotated[float, Field(ge=1e-30, le=1e6)]
 
 
 class Estimator(Section):
@@ -52,6 +52,13 @@ class Detector(Section):
     hold: float = Field(0.2, ge=0.0, le=10.0)  # s
 
 
+class Isolation(Section):
+    """[loop.isolation]: whose fault it is, instruments' or the thrust's; excluded ones are replaced."""
+
+    enabled: bool | None = None  # by default in loop `robust`, on an aircraft with measured drag
+    false_alarms: float = Field(0.01, ge=1e-6, le=10.0)  # an hour, that the threshold is meant for
+
+
 class Loop(Section):
     """[loop]: the outer loop, its rate, gains and estimator."""
 
@@ -71,3 +78,4 @@ class Loop(Section):
     response_lead: bool = True  # lead against the identified lag of load factor and bank
     estimator: Estimator = Estimator()
     detector: Detector = Detector()
+    isolation: Isolation = Isolation()

@@ -19,7 +19,8 @@ from ftc_jsb.scenario.types import Text
 from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.typed_file import Section
 
-Model = Literal["paper", "identified", "jsbsim"]
+Model = Literal["paper", "identified", "jsbsim", "flightgear"]
+FlownHere = Literal["paper", "identified", "jsbsim"]
 
 
 TITLE_LENGTH, DESCRIPTION_LENGTH = 300, 4000  # characters
@@ -62,16 +63,20 @@ class Simulation(Section):
 class Agreement(Section):
     """[compare.agreement]: RMS differences up to which a point mass and the 6-DOF aircraft agree."""
 
-    airspeed: float = Field(0.3, gt=0.0, le=1e3)  # m/s
-    flight_path_deg: float = Field(0.1, gt=0.0, le=90.0)
+    airspeed: float = Field(0.3, ge=1e-9, le=1e3)  # m/s
+    flight_path_deg: float = Field(0.1, ge=1e-9, le=90.0)
     heading_deg: float = Field(0.2, gt=0.0, le=180.0)
-    position: float = Field(25.0, gt=0.0, le=1e6)  # m
+    position: float = Field(25.0, ge=1e-9, le=1e6)  # m
 
 
 class Compare(Section):
     """[compare]: what `compare` flies."""
 
-    models: Annotated[tuple[Model, ...], Field(min_length=1)] = ("paper", "identified", "jsbsim")
+    models: Annotated[tuple[FlownHere, ...], Field(min_length=1)] = (
+        "paper",
+        "identified",
+        "jsbsim",
+    )
     loops: Annotated[tuple[Text, ...], Field(min_length=1)] = ("ftc", "no-ftc")
     agreement: Agreement = Agreement()
 

@@ -44,6 +44,8 @@ class Sensors(Section):
     east: Sensor | None = None
     elevator_position: Sensor | None = None
     flap_position: Sensor | None = None
+    aileron_position: Sensor | None = None
+    rudder_position: Sensor | None = None
 
     @property
     def reach_inner_loop(self) -> bool:

@@ -15,7 +15,7 @@ class Gust(Section):
     from_deg: float = Field(270.0, ge=0.0, le=360.0)
     updraught: float = Field(0.0, ge=-100.0, le=100.0)  # m/s
     start: Time  # s
-    length: float = Field(gt=0.0, le=600.0)  # s
+    length: float = Field(ge=1e-3, le=600.0)  # s
     hold: float = Field(0.0, ge=0.0, le=3600.0)  # s
 
 

@@ -10,7 +10,16 @@ from ftc_jsb.vocabulary.channels import SURFACES
 from ftc_jsb.vocabulary.signals import SENSED
 
 # A point mass turns without body rates, and has no surfaces
-NOT_OF_POINT_MASSES = ("roll_rate", "pitch_rate", "yaw_rate", "elevator_position", "flap_position")
+SIX_DOF = ("jsbsim", "flightgear")
+NOT_OF_POINT_MASSES = (
+    "roll_rate",
+    "pitch_rate",
+    "yaw_rate",
+    "elevator_position",
+    "flap_position",
+    "aileron_position",
+    "rudder_position",
+)
 
 
 def impossible(scenario: Scenario, fault: Fault) -> str:
@@ -25,9 +34,11 @@ def impossible(scenario: Scenario, fault: Fault) -> str:
         engines = load_point_mass(aircraft_folder(name)).thrust.engines
         if int(target[7:-1]) >= engines:
             return f"no {target!r}; aircraft {name!r} has {engines}, counted from engine[0]"
-        if fault.kind == "stuck" and model != "jsbsim":
+        if fault.kind == "stuck" and model not in SIX_DOF:
             return f"a stuck throttle; the model {model!r} has none, 'jsbsim' has"
-    if model == "jsbsim":
+    if model == "flightgear" and target in SENSED:
+        return "a fault of a sensor; what another program flies is measured without fault"
+    if model in SIX_DOF:
         if target in ("load_factor", "bank_angle"):
             return f"{target!r} is a channel of the point masses; 'jsbsim' has surfaces"
         if target in SURFACES and not getattr(load_aircraft(name).surfaces, target):

@@ -15,6 +15,7 @@ from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.disturbance.sensors import Instruments, sensor_record
 from ftc_jsb.disturbance.weather import wind_record
+from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.registry import RecordedLoop, build_loop
 from ftc_jsb.recording.columns import ROW, numbers
 from ftc_jsb.resources import PAPER_AIRCRAFT, aircraft_folder
@@ -96,6 +97,10 @@ def build_plant(
 ) -> Plant:
     """The plant of `scenario.model`; an output directive is for JSBSim."""
     simulation = scenario.simulation
+    if scenario.model == "flightgear":
+        raise ScenarioError(
+            "model 'flightgear' is flown in FlightGear: ftc-jsb plugin SCENARIO --flightgear"
+        )
     if scenario.model == "jsbsim":
         from ftc_jsb.six_dof.plant import JsbsimPlant
 

@@ -72,6 +72,7 @@ def _fly(
                         outcome = Outcome("ended", rows * dt, "ended by command")
                         break
                     beyond = min(beyond, commands.next_row(rows))
+                steering.reach(beyond)
                 last, reason = advance_rows(rows, beyond)
                 rows = last + 1
                 if reason != FLYING:

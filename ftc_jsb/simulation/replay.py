@@ -1,6 +1,5 @@
 """A recorded flight flown again, its commands included, and compared bit for bit."""
 
-import json
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -9,7 +8,7 @@ import numpy as np
 from ftc_jsb.recording.columns import ROW
 from ftc_jsb.recording.commands import Applied, End, Reset
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.recording.provenance import aircraft_digest, versions
+from ftc_jsb.recording.provenance import Provenance, aircraft_digest, versions
 from ftc_jsb.simulation.command_source import RecordedCommands
 from ftc_jsb.simulation.fly import Observer, fly
 
@@ -52,14 +51,19 @@ def differences(flight: Flight, again: Flight) -> list[Difference]:
     return sorted(found, key=lambda difference: difference.time)
 
 
-def changed_since(flight: Flight, attributes: dict[str, str]) -> list[str]:
-    """What is not as it was when `flight` was recorded: versions, and the aircraft's own files."""
-    before, now = json.loads(attributes.get("versions", "{}")), versions()
+def changed_since(flight: Flight) -> list[str]:
+    """What is not as it was when `flight` was recorded: versions, and the aircraft's own files.
+
+    Args:
+        flight: that was read back.
+    """
+    made = flight.provenance or Provenance({}, "")
+    now = versions()
     changes = [
-        f"{name} {before[name]}, now {now.get(name)}"
-        for name in before
-        if before[name] != now.get(name)
+        f"{name} {before}, now {now.get(name)}"
+        for name, before in made.versions.items()
+        if before != now.get(name)
     ]
-    if attributes.get("aircraft_digest") != aircraft_digest(flight.scenario):
+    if made.aircraft_digest != aircraft_digest(flight.scenario):
         changes.append("the files of the aircraft have changed")
     return changes

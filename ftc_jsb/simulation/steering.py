@@ -2,11 +2,10 @@
 
 import math
 from collections.abc import Iterable
-from typing import Any
 
-import numpy.typing as npt
 from pydantic import ValidationError
 
+from ftc_jsb.control.protocol import LoopSetup
 from ftc_jsb.disturbance.faults import CAPACITY, FIRST_SENSOR, TARGETS, fault_records, schedule
 from ftc_jsb.errors import ScenarioError
 from ftc_jsb.loops.built_in import BUILT_IN, CompiledLoop, loop_settings
@@ -26,11 +25,12 @@ from ftc_jsb.recording.commands import (
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.keys import value_at, with_value
 from ftc_jsb.scenario.loop import Loop
-from ftc_jsb.scenario.reference import raw_commands
+from ftc_jsb.scenario.reference import Reference, raw_commands
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import impossible
 from ftc_jsb.simulation.assembly import Assembly
 from ftc_jsb.simulation.changed_scenario import changed_scenario
+from ftc_jsb.simulation.rows_ahead import RowsAhead
 from ftc_jsb.simulation.set_points import nearest_turn, ramp
 from ftc_jsb.typed_file import first_problem
 
@@ -50,7 +50,17 @@ class Steering:
         self._hold = flown.inputs.altitude_hold
         self._record = flown.record
         self._faults = scenario.fault
+        self._ahead = RowsAhead(flown.record.size)
         self.applied: list[Applied] = []
+
+    def reach(self, beyond: int) -> None:
+        """Have what commands have changed written in every row that flying up to row `beyond` reads."""
+        self._ahead.reach(beyond)
+
+    @property
+    def setup(self) -> LoopSetup:
+        """What the loop is built from, settings as they are now."""
+        return self._setup
 
     def apply_all(self, commands: Iterable[Command], row: int) -> bool:
         """Apply commands before `row` is flown, as `apply`; whether the flight goes on."""
@@ -107,21 +117,33 @@ class Steering:
         self._instruments.faults[:] = records
         if any(TARGETS.index(fault.target) >= FIRST_SENSOR for fault in faults):
             self._instruments.sensors[0]["perfect"] = 0
-        schedule(records, self._setup.aircraft.thrust.engines, self._record, row)
+        engines, record = self._setup.aircraft.thrust.engines, self._record
+
+        def write(first: int, beyond: int) -> None:
+            schedule(records, engines, record[:beyond], first)
+
+        self._ahead.rewrite("faults", row, write)
 
     def _change(self, command: ChangeScenario, row: int) -> None:
         """What the overrides do not change stays, commands of the flight before included."""
         before = self._scenario
         changed = changed_scenario(before, command.overrides)
         if changed.reference != before.reference:
-            raw = raw_commands(changed.reference, self._record["time"])
-            for column, name in enumerate(RAW):
-                self._record[name][row:] = raw[row:, column]
+            self._use_reference(changed.reference, row)
         if changed.fault != before.fault:
             self._use_faults(changed.fault, row)
         if changed.loop != before.loop:
             self._use_loop(changed.loop)
         self._scenario = changed
+
+    def _use_reference(self, reference: Reference, row: int) -> None:
+        for column, name in enumerate(RAW):
+
+            def write(first: int, beyond: int, column: int = column, name: str = name) -> None:
+                rows = self._record[first:beyond]
+                rows[name] = raw_commands(reference, rows["time"])[:, column]
+
+            self._ahead.rewrite(name, row, write)
 
     def _set_point(self, command: SetAirspeed | SetFlightPath | SetHeading, row: int) -> None:
         column = {
@@ -129,22 +151,30 @@ class Steering:
             "set-flight-path": "flight_path_angle_cmd_raw",
             "set-heading": "heading_cmd_raw",
         }[command.kind]
-        start, elapsed = float(self._record[row - 1][column]), self._elapsed(row)
+        before = self._record[row - 1]
+        start, since = float(before[column]), float(before["time"])
         if isinstance(command, SetFlightPath):
-            self._record["altitude_cmd_raw"][row:] = math.nan
+            self._hold_value("altitude_cmd_raw", row, math.nan)
         target = command.value
         if isinstance(command, SetHeading):
             target = nearest_turn(target, start)
-        self._record[column][row:] = ramp(start, target, command.rate, elapsed)
+
+        def write(first: int, beyond: int) -> None:
+            rows = self._record[first:beyond]
+            rows[column] = ramp(start, target, command.rate, rows["time"] - since)
+
+        self._ahead.rewrite(column, row, write)
 
     def _set_altitude(self, command: SetAltitude, row: int) -> None:
         self._hold[0]["steepest"] = command.flight_path
         self._hold[0]["path_rate"] = command.rate
-        self._record["altitude_cmd_raw"][row:] = command.value
+        self._hold_value("altitude_cmd_raw", row, command.value)
 
-    def _elapsed(self, row: int) -> npt.NDArray[Any]:
-        times: npt.NDArray[Any] = self._record["time"][row:] - self._record[row - 1]["time"]
-        return times
+    def _hold_value(self, column: str, row: int, value: float) -> None:
+        def write(first: int, beyond: int) -> None:
+            self._record[column][first:beyond] = value
+
+        self._ahead.rewrite(column, row, write)
 
 
 def changed_loop(loop: Loop, command: SetLoop) -> Loop:

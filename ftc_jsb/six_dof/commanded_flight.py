@@ -10,6 +10,7 @@ import numpy.typing as npt
 from ftc_jsb.disturbance.faults import fault_records, schedule
 from ftc_jsb.recording.columns import ROW
 from ftc_jsb.scenario.schema import AircraftChoice, Initial
+from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.six_dof.plant import JsbsimPlant
 from ftc_jsb.vocabulary.channels import ENGINES
 
@@ -33,19 +34,28 @@ class TrimmedAircraft(NamedTuple):
         return self.plant.fdm
 
 
-def trimmed_aircraft(choice: AircraftChoice, initial: Initial, samples: int) -> TrimmedAircraft:
+def trimmed_aircraft(
+    choice: AircraftChoice,
+    initial: Initial,
+    samples: int,
+    *,
+    wind: Wind | None = None,
+    seed: int = 0,
+) -> TrimmedAircraft:
     """Trim and engage.
 
     Args:
         choice: [aircraft] of a scenario.
         initial: condition to trim at.
         samples: of the flight to come, DT each.
+        wind: [wind] of a scenario; default: still air.
+        seed: of the wind.
 
     Raises:
         AircraftError, TrimError: as the plant.
     """
     record = healthy_recording(samples)
-    plant = JsbsimPlant(choice, initial, DT, STEPS)
+    plant = JsbsimPlant(choice, initial, DT, STEPS, wind=wind, seed=seed)
     plant.reset(record)
     return TrimmedAircraft(plant, record)
 

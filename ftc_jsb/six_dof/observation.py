@@ -23,15 +23,15 @@ PROPERTIES = (
     "velocities/p-rad_sec",
     "velocities/q-rad_sec",
     "velocities/r-rad_sec",
-    "accelerations/Nx",
-    "accelerations/Nz",
+    "forces/fbx-total-lbs",
+    "forces/fbz-total-lbs",
     "position/h-sl-ft",
     "position/ecef-x-ft",
     "position/ecef-y-ft",
     "position/ecef-z-ft",
     "inertia/weight-lbs",
     "forces/fwx-aero-lbs",
-    "accelerations/Ny",
+    "forces/fby-total-lbs",
     "atmosphere/total-wind-north-fps",
     "atmosphere/total-wind-east-fps",
     "atmosphere/total-wind-down-fps",
@@ -60,6 +60,9 @@ def observe(raw: Vector, state: Any, record: Records, i: int) -> None:
     Flight path, heading and bank are those of the air-relative velocity, from attitude, alpha and
     beta: the wind axes in the local level frame. Steady wind leaves them untouched.
 
+    Load factors are the frame's forces (all but gravity) over weight: JSBSim's own accelerations/N* are
+    those of the frame before, 5 ms late beside angles and forces.
+
     Args:
         raw: values of PROPERTIES, control positions (throttle, elevator, aileron, rudder, flap)
             and engine thrusts.
@@ -81,8 +84,10 @@ def observe(raw: Vector, state: Any, record: Records, i: int) -> None:
     row.bank_angle = s.bank
     row.roll, row.pitch, row.yaw = phi, theta, s.yaw
     row.roll_rate, row.pitch_rate, row.yaw_rate = raw[7], raw[8], raw[9]
-    row.load_factor = raw[11] * math.cos(alpha) + raw[10] * math.sin(alpha)
-    row.load_factor_x, row.load_factor_z, row.load_factor_y = raw[10], raw[11], raw[18]
+    weight = raw[16]
+    row.load_factor_x, row.load_factor_y = raw[10] / weight, raw[18] / weight
+    row.load_factor_z = -raw[11] / weight
+    row.load_factor = row.load_factor_z * math.cos(alpha) + row.load_factor_x * math.sin(alpha)
     row.wind_north, row.wind_east = raw[19] * FOOT, raw[20] * FOOT
     row.wind_up = -raw[21] * FOOT
     row.altitude = raw[12] * FOOT

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ftc_jsb.errors import TheoryError
 from ftc_jsb.theory.gains import Gains
-from ftc_jsb.theory.generated import generate
+from ftc_jsb.theory.generated import Kernels, generate
 from ftc_jsb.theory.kernels.closed_loop import (
     ESTIMATE,
     FILTER_FAILED,
@@ -69,6 +69,7 @@ class Conditions(NamedTuple):
     lag: Array | None = None  # (inputs,), of the actuators [s]
     seed: int = 0  # of both noises
     plant_initial: Array | None = None  # (plant states,); the filter starts at `initial`
+    told: Signal | None = None  # effectiveness that the loop `oracle` goes by, if not the truth
 
 
 NOTHING_ELSE = Conditions()
@@ -78,7 +79,11 @@ class ClosedLoop:
     """A system with its law, filter and plant, compiled."""
 
     def __init__(
-        self, linearization: Linearization, gains: Gains, plant: System | None = None
+        self,
+        linearization: Linearization,
+        gains: Gains,
+        plant: System | None = None,
+        kernels: Kernels | None = None,
     ) -> None:
         """Generate; compiled with the first flight, or taken from the disk.
 
@@ -86,6 +91,7 @@ class ClosedLoop:
             linearization: of the system that law and filter go by.
             gains: for its A and B.
             plant: what is flown, if not that system.
+            kernels: of both, if they are at hand.
 
         Raises:
             TheoryError: the plant does not fit.
@@ -93,7 +99,7 @@ class ClosedLoop:
         self.linearization = linearization
         self.gains = gains
         self.plant = plant or linearization.system
-        self.kernels = generate(linearization, plant)
+        self.kernels = kernels or generate(linearization, plant)
 
     def fly(
         self,
@@ -129,7 +135,9 @@ class ClosedLoop:
             history,
         )
         if status != SOLVED:
-            raise TheoryError(self._explain(status, row, history))
+            raise TheoryError(
+                self._explain(status, row, history, settings) + self._since(row, history)
+            )
         return history
 
     def _prepare(
@@ -164,6 +172,7 @@ class ClosedLoop:
         noise = random.standard_normal((rows, measured))
         world = World(
             truth,
+            truth if conditions.told is None else _along(conditions.told, time, m, 1.0),
             _along(conditions.offset, time, m, 0.0),
             _along(conditions.held, time, m, np.nan),
             push * _or(conditions.plant_noise, push.shape[1], 0.0),
@@ -187,16 +196,7 @@ class ClosedLoop:
         )
 
     def _constants(self, trim: Array, settings: Settings, conditions: Conditions) -> Constants:
-        m, size = len(trim), len(np.asarray(settings.process_noise))
-        spread = settings.spread or max(LEAST_SPREAD, float(size))
-        estimator = FilterSettings(
-            np.asarray(settings.process_noise, dtype=float),
-            np.asarray(settings.measurement_noise, dtype=float),
-            spread,
-            settings.floor,
-            settings.dt,
-            settings.loop == "ekf",
-        )
+        m = len(trim)
         actuators = Actuators(
             _or(conditions.low, m, -np.inf),
             _or(conditions.high, m, np.inf),
@@ -207,7 +207,7 @@ class ClosedLoop:
         tuning = Tuning(self.gains.k, scale, np.array(trim, dtype=float))
         return Constants(
             tuning,
-            estimator,
+            filter_settings(settings),
             actuators,
             self.kernels.parameters,
             self.kernels.plant_parameters,
@@ -216,15 +216,27 @@ class ClosedLoop:
             settings.substeps,
         )
 
-    def _explain(self, status: int, row: int, history: History) -> str:
+    def _since(self, row: int, history: History) -> str:
+        """Since when the state has been outside the system's ranges, if it has: what failed may follow."""
+        low, high = np.array([self.plant.range_of(symbol) for symbol in self.plant.states]).T
+        state = history.state[: row + 1]
+        inside = np.flatnonzero(((state >= low) & (state <= high)).all(axis=1))
+        if row in inside:
+            return ""
+        since = history.time[inside[-1] + 1] if len(inside) else 0.0
+        return f"; the state has been outside the ranges of the system since {since:.3f} s"
+
+    def _explain(self, status: int, row: int, history: History, settings: Settings) -> str:
         system = self.linearization.system
         at = f"{history.time[row]:.3f} s"
         where = dict(zip(map(str, self.plant.states), history.state[row].tolist(), strict=True))
         if status >= FILTER_FAILED:
             kind = "state" if status - FILTER_FAILED == NOT_DEFINITE else "innovation"
+            size = len(system.states) + len(system.fallible)
+            hint = f"; a spread of at least {size}, states + faults, keeps every weight of (29) positive"
             return (
-                f"system {system.name!r}: the covariance of the {kind} is not positive definite at {at}; "
-                "a spread of at least states + faults keeps every weight of (29) positive"
+                f"system {system.name!r}: the covariance of the {kind} is not positive definite at {at}"
+                f"{hint if filter_settings(settings).spread < size else ''}"
             )
         if status == NOT_FINITE:
             return f"system {system.name!r}: not finite at {at}, state {where}"
@@ -233,6 +245,19 @@ class ClosedLoop:
             f"moves no output of its own there, or too little of it; state {where}, u_n "
             f"{history.trim[row].tolist()}"
         )
+
+
+def filter_settings(settings: Settings) -> FilterSettings:
+    """Numbers of the filter as its kernel takes them."""
+    noise = np.array(settings.process_noise, dtype=float)
+    return FilterSettings(
+        noise,
+        np.array(settings.measurement_noise, dtype=float),
+        settings.spread or max(LEAST_SPREAD, float(len(noise))),
+        settings.floor,
+        settings.dt,
+        settings.loop == "ekf",
+    )
 
 
 def warn_of_zero_dynamics(linearization: Linearization, initial: Array, trim: Array) -> None:

@@ -1,5 +1,6 @@
 """Constants of the proof over the ranges of a system, component by component, known before any flight."""
 
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -30,7 +31,8 @@ def proof_constants(linearization: Linearization) -> ProofConstants:
     states, inputs, factors = map(list, (system.states, system.inputs, system.effectiveness))
     found: list[Enclosure] = []
 
-    def most(element: sp.Expr) -> float:
+    @cache
+    def most(element: sp.Expr) -> float:  # of a Hessian each but the diagonal comes twice
         if element == 0:
             return 0.0
         enclosure = largest(sp.Matrix([[element]]), box)

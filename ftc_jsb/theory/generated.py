@@ -27,6 +27,7 @@ from ftc_jsb.verified_cache import find_sealed, sealed_folder
 Array = npt.NDArray[np.float64]
 Kernel = Callable[..., Any]
 TEMPLATE = Path(__file__).parent / "kernels"
+PARTS = ("system", "discrete_model", "joint_filter", "law", "closed_loop", "error_response")
 
 
 class Kernels(NamedTuple):
@@ -44,6 +45,7 @@ class Kernels(NamedTuple):
     estimate: Kernel  # `kernels/joint_filter.py`
     law: Kernel  # `kernels/law.py`
     run: Kernel  # `kernels/closed_loop.py`
+    respond: Kernel  # `kernels/error_response.py`
     package: str  # that holds them
     scratch: int  # length of the law's working space
     parameters: Array  # (parameters,)
@@ -77,18 +79,18 @@ def imported_kernels(package: str, parameters: Array, plant_parameters: Array) -
         plant_parameters: likewise.
 
     Raises:
-        ImportError: it is not there.
+        ImportError: it is not there, or made with other kernels than today's.
     """
     if package not in sys.modules:
         folder = find_sealed(_place(package))
         if folder is None:
             raise ImportError(package)
+        source = (folder / "system.py").read_text(encoding="utf-8")
+        if not package.endswith(_digest(source)):
+            raise ImportError(package)
         sys.modules[package] = _package(package, folder)
     with _no_bytecode():
-        parts = {
-            name: importlib.import_module(f"{package}.{name}")
-            for name in ("system", "discrete_model", "joint_filter", "law", "closed_loop")
-        }
+        parts = {name: importlib.import_module(f"{package}.{name}") for name in PARTS}
     system = parts["system"]
     return Kernels(
         system.dynamics,
@@ -100,6 +102,7 @@ def imported_kernels(package: str, parameters: Array, plant_parameters: Array) -
         parts["joint_filter"].estimate,
         parts["law"].law,
         parts["closed_loop"].run,
+        parts["error_response"].respond,
         package,
         parts["law"].SCRATCH,
         parameters,
@@ -113,10 +116,7 @@ def _values(system: System) -> Array:
 
 def _imported(name: str, source: str) -> str:
     """Name of the imported package that holds a system's source and the kernels."""
-    digest = hashlib.sha256(source.encode())
-    for file in sorted(TEMPLATE.glob("*.py")):
-        digest.update(file.read_bytes())
-    package = f"ftc_jsb_{_identifier(name)}_{digest.hexdigest()[:12]}"
+    package = f"ftc_jsb_{_identifier(name)}_{_digest(source)}"
     if package in sys.modules:
         return package
 
@@ -127,6 +127,14 @@ def _imported(name: str, source: str) -> str:
 
     sys.modules[package] = _package(package, sealed_folder(_place(package), fill))
     return package
+
+
+def _digest(source: str) -> str:
+    """Of a system's source and of the kernels beside it."""
+    digest = hashlib.sha256(source.encode())
+    for file in sorted(TEMPLATE.glob("*.py")):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()[:12]
 
 
 def _place(package: str) -> str:

@@ -15,6 +15,9 @@ the ranges of the system:
            + dt (S_i + |y_m^(r+1)|_i + |K e'|_i)        a command is held for a sample
            + what the plant is known to differ by.
 
+Errors that neither K nor H couples, such as those of each output, have a V each, so that a disturbance
+in m/s bounds no angle; V is their sum.
+
 Nothing of the flight is in it. A flight is outside the proof where it breaks an assumption, and
 against it where V exceeds its bound.
 """
@@ -27,12 +30,12 @@ import numpy.typing as npt
 
 from ftc_jsb.theory.constants import ProofConstants
 from ftc_jsb.theory.gains import Gains
+from ftc_jsb.theory.root_bound import integrate_root
 
 Array = npt.NDArray[np.float64]
+Places = npt.NDArray[np.intp]
 ROUNDING = 1e-9
-UNBOUNDED = (
-    1e100  # where the bound runs away: the gains are too large for the time a command is held
-)
+COUPLED = 1e-12  # of the largest element of H: less is rounding
 
 
 class Assumptions(NamedTuple):
@@ -66,7 +69,8 @@ class LyapunovBound(NamedTuple):
     rate: float  # lambda [1/s]
     disturbance: float  # phi, its supremum
     radius: float  # of the ball (40)
-    predicted: Array  # (rows,), sqrt(bound / lambda_min(H)): bound of ||e|| at each time
+    predicted: Array  # (rows,), bound of ||e|| at each time
+    predicted_each: Array  # (rows, order), of |e_i|: sqrt(V (H^-1)_ii) of its part of V
     error: Array  # (rows,), ||e|| of the flight
     broken: tuple[str, ...]  # assumptions that the flight does not keep
 
@@ -124,54 +128,82 @@ def lyapunov_bound(
     from scipy.linalg import eigh
 
     dt = float(flown.time[1] - flown.time[0])
-    fastest = float(eigh(gains.q, gains.h, eigvals_only=True).min())
     a, b = matrices
-    least = float(np.linalg.eigvalsh(gains.h).min())
+    fastest = float(eigh(gains.q, gains.h, eigvals_only=True).min())
     mu = young * fastest
     rate = float(fastest - mu)
+    blocks = [
+        _block(flown.error[0], place, bound, (a, b), gains, dt) for place in _places(gains, b)
+    ]
+    predicted = np.sum([block.bound for block in blocks], axis=0)
+    phi = float(np.sum([block.square for block in blocks], axis=0).max() / mu)
+    each = np.empty_like(flown.error)
+    for block in blocks:
+        each[:, block.place] = block.each
+    least = float(np.linalg.eigvalsh(gains.h).min())
     value = np.einsum("ti,ij,tj->t", flown.error, gains.h, flown.error)
-    predicted, phi = _integrate(value[0], bound, (b, gains, a - b @ gains.k), (fastest, mu), dt)
     return LyapunovBound(
         value,
         predicted,
         rate,
         phi,
         float(np.sqrt(phi / (rate * least))),
-        np.sqrt(predicted / least),
+        np.linalg.norm(each, axis=1),
+        each,
         np.linalg.norm(flown.error, axis=1),
         broken_assumptions(flown, assumptions) + _held_too_long(matrices, gains, fastest, dt),
     )
 
 
-def _integrate(
-    start: float,
-    bound: Array,
-    loop: tuple[Array, Gains, Array],
-    rates: tuple[float, float],
-    dt: float,
-) -> tuple[Array, float]:
-    """Bound of V from V(0) on, and the largest phi for the given mu_1.
+class _Block(NamedTuple):
+    """Errors that no other errors act on, and that have a V of their own."""
 
-    For every mu_1 (39) holds at each time; the best, mu_1 = w / sqrt(V) with w = ||H^(1/2) B d||, makes
-    it sqrt(V)' <= -lambda_0 / 2 sqrt(V) + w. A held command adds dt |K e'| to d,
-    e' = (A - B K) e + B d, with e by the bound of V itself.
-    """
-    b, gains, closed = loop
-    fastest, mu = rates
-    weight = b.T @ gains.h @ b
-    signs = np.array(list(itertools.product((1.0, -1.0), repeat=b.shape[1])))
-    returned = _returned(gains, closed)
-    direct = np.abs(gains.k @ b)
-    decay = np.exp(-0.5 * fastest * dt)
-    predicted, largest, root = np.empty(len(bound)), 0.0, np.sqrt(max(start, 0.0))
-    for i, d in enumerate(bound):
-        predicted[i] = root**2
-        whole = np.minimum(d + dt * (returned * root + direct @ d), UNBOUNDED)
-        corners = signs * whole
-        square = float(np.einsum("si,ij,sj->s", corners, weight, corners).max())
-        largest = max(largest, square / mu)
-        root = decay * root + (1.0 - decay) / (0.5 * fastest) * np.sqrt(square)
-    return predicted, largest
+    place: Places  # of them in e
+    bound: Array  # (rows,), of its part of V
+    square: Array  # (rows,), bound of d^T B^T H B d
+    each: Array  # (rows, errors), bound of |e_i|
+
+
+def _places(gains: Gains, b: Array) -> list[Places]:
+    """Places in e of the parts that neither K nor H couples, such as those of each output."""
+    from scipy.sparse.csgraph import connected_components
+
+    chains = np.cumsum(np.roll(b.any(axis=1), 1))
+    coupled = (b @ gains.k != 0.0) | (np.abs(gains.h) > COUPLED * np.abs(gains.h).max())
+    coupled |= chains[:, None] == chains
+    count, part = connected_components(coupled, directed=False)
+    return [np.flatnonzero(part == number) for number in range(count)]
+
+
+def _block(
+    start: Array,
+    place: Places,
+    bound: Array,
+    matrices: tuple[Array, Array],
+    gains: Gains,
+    dt: float,
+) -> _Block:
+    """Bound of a part of V from its first value on."""
+    from scipy.linalg import eigh
+
+    inputs = np.flatnonzero(matrices[1][place].any(axis=0))
+    corner = np.ix_(place, place)
+    a, b = matrices[0][corner], matrices[1][np.ix_(place, inputs)]
+    part = Gains(gains.k[np.ix_(inputs, place)], gains.h[corner], gains.q[corner])
+    fastest = float(eigh(part.q, part.h, eigvals_only=True).min())
+    signs = np.array(list(itertools.product((1.0, -1.0), repeat=len(inputs))))
+    found, square = np.empty(len(bound)), np.empty(len(bound))
+    first = start[place]
+    integrate_root(
+        float(np.sqrt(first @ part.h @ first)),
+        np.ascontiguousarray(bound[:, inputs], dtype=float),
+        (b.T @ part.h @ b, signs, _returned(part, a - b @ part.k), np.abs(part.k @ b)),
+        0.5 * fastest,
+        dt,
+        found,
+        square,
+    )
+    return _Block(place, found, square, np.sqrt(np.outer(found, np.diag(np.linalg.inv(part.h)))))
 
 
 def _returned(gains: Gains, closed: Array) -> Array:

@@ -29,6 +29,8 @@ SIGNALS: tuple[Signal, ...] = (
     Signal("east"),
     Signal("elevator_position", True, "elevator"),
     Signal("flap_position", True, "flap"),
+    Signal("aileron_position", True, "aileron"),
+    Signal("rudder_position", True, "rudder"),
 )
 SENSED: tuple[str, ...] = tuple(signal.name for signal in SIGNALS)
 ANGLES: frozenset[str] = frozenset(signal.name for signal in SIGNALS if signal.angle)

@@ -26,7 +26,8 @@ def synthetic(random: np.random.Generator, count: int, inside: float = 0.0) -> S
     mach = random.uniform(0.5 + inside, 1.1 - inside, count)
     drag = 0.02 + 0.01 * (mach - 0.5) + 0.1 * lift**2
     zero = np.zeros(count)
-    return Samples(lift, drag, mach, 0.02 + 0.25 * lift, zero, zero, zero, zero)
+    angles = 0.02 + 0.25 * lift
+    return Samples(lift, drag, mach, angles, *(zero,) * 10, np.ones(count))
 
 
 def test_polar_and_alpha_of_a_known_aircraft_are_recovered():

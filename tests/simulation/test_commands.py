@@ -1,6 +1,7 @@
 """Commands in flight: what each does, that a recording flies the same again, and what is refused."""
 
 import threading
+from unittest import mock
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from ftc_jsb.recording.netcdf import load, save
 from ftc_jsb.scenario.faults import Fault
 from ftc_jsb.scenario.load import load_scenario
 from ftc_jsb.scenario.loop import Loop
+from ftc_jsb.simulation import rows_ahead
 from ftc_jsb.simulation.command_source import CommandQueue, RecordedCommands
 from ftc_jsb.simulation.fly import fly
 from ftc_jsb.simulation.replay import differences, replay
@@ -245,3 +247,37 @@ def test_thinned_recording_is_replayed(tmp_path, cut):
     assert loaded.record.size < flight.record.size / 9
     assert loaded.row_period == pytest.approx(0.1)
     assert differences(loaded, replay(loaded)) == []
+
+
+def test_set_point_costs_the_same_however_much_of_the_flight_is_left():
+    """20 set-points a second: as many rows are written on a flight of 11 h as on one of a minute."""
+
+    def written(rows):
+        ranges = []
+        ahead = rows_ahead.RowsAhead(rows)
+        for row in range(1, 2001, 5):
+            ahead.rewrite("airspeed", row, lambda first, beyond: ranges.append((first, beyond)))
+            ahead.reach(row + 5)
+        return ranges
+
+    assert written(6_000) == written(4_000_000)
+    assert max(beyond - first for first, beyond in written(6_000)) <= rows_ahead.LENGTH
+
+
+def test_rows_written_ahead_are_those_that_were_rewritten_to_the_end():
+    """Ramps, steps, faults and references, each read long after the stretch that its command wrote."""
+    altitude = c.SetAltitude(value=3300.0, flight_path=5.0 * DEGREE, rate=1.0 * DEGREE)
+    fault = Fault(effectiveness=0.5, start=0.0, shape="ramp", rise=10.0)
+    commands = [
+        c.Applied(100, c.SetAirspeed(value=320.0, rate=1.0)),
+        c.Applied(130, c.SetHeading(value=1.0, rate=0.05)),
+        c.Applied(300, altitude),
+        c.Applied(1400, c.SetFaults(targets=("thrust",), faults=(fault,))),
+        c.Applied(2000, c.SetFlightPath(value=0.02, rate=0.01)),
+    ]
+    short = fly(load_scenario("nominal", level(40)), commands=RecordedCommands(commands))
+    with mock.patch.object(rows_ahead, "LENGTH", 10_000_000):
+        at_once = fly(load_scenario("nominal", level(40)), commands=RecordedCommands(commands))
+    assert_same(short, at_once)
+    assert short.record["airspeed_cmd_raw"][-1] == 320.0
+    assert short.record["heading_cmd_raw"][-1] == 1.0

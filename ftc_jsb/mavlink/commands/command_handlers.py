@@ -2,9 +2,9 @@
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 from pymavlink.dialects.v20 import common as dialect
@@ -61,11 +61,19 @@ class CommandHandlers(ABC):
             command = make()
         except ValidationError as error:
             problem = error.errors(include_url=False)[0]
-            return Acknowledgement(
-                Result.DENIED, f"refused: {problem['loc'][-1]}: {problem['msg']}"
-            )
+            return Acknowledgement(Result.DENIED, _bound(problem))
         self._vehicle.queue_command(command)
         return Acknowledgement(Result.ACCEPTED, text)
+
+
+_AT = {"ge": "at least", "gt": "above", "le": "at most", "lt": "below"}
+
+
+def _bound(problem: Mapping[str, Any]) -> str:
+    """Which number of a command is refused, and its bound in SI and rad."""
+    bounds = problem.get("ctx", {})
+    said = [f"{words} {bounds[key]:.4g}" for key, words in _AT.items() if key in bounds]
+    return f"{problem['loc'][-1]} {said[0] if said else 'is no number'}"
 
 
 def whole_number(value: float) -> int:

@@ -51,5 +51,19 @@ class CommandProtocol:
                 **addressed_to_sender(message),
             },
         )
-        if ack.reason:
-            self._vehicle.send_text(dialect.MAV_SEVERITY_NOTICE, ack.reason)
+        if ack.result is Result.ACCEPTED:
+            text = ack.reason
+        else:
+            why = ack.reason.removeprefix("refused: ") or ack.result.name.lower()
+            text = f"refused: {_short_name(message.command)}: {why}"
+        if text:
+            self._vehicle.send_text(dialect.MAV_SEVERITY_NOTICE, text)
+
+
+def _short_name(command: int) -> str:
+    """A MAV_CMD without what all have, so that the reason has room in a STATUSTEXT."""
+    known = dialect.enums["MAV_CMD"].get(command)
+    name = known.name.removeprefix("MAV_CMD_") if known else f"command {command}"
+    for prefix in ("GUIDED_", "DO_", "PREFLIGHT_", "COMPONENT_"):
+        name = name.removeprefix(prefix)
+    return str(name)[:20]

@@ -1,5 +1,8 @@
 """Commands that change the phase of a flight: pause, resume, end, reset, shutdown; arming."""
 
+import math
+import time
+
 from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.mavlink.commands.command_handlers import (
@@ -10,14 +13,22 @@ from ftc_jsb.mavlink.commands.command_handlers import (
     Result,
     whole_number,
 )
+from ftc_jsb.mavlink.commands.vehicle_access import VehicleAccess
 from ftc_jsb.mavlink.telemetry.snapshot import Phase
 from ftc_jsb.recording.commands import End, Pause, Reset, Resume
 
+RESET_INTERVAL = 2.0  # [s] between two resets: each saves a flight
+MOST_RESETS = 100  # of one run of the program
 REBOOT, SHUTDOWN = 1, 2  # parameter 1 of PREFLIGHT_REBOOT_SHUTDOWN
 
 
 class FlightPhaseCommands(CommandHandlers):
     """The phase of a flight by command."""
+
+    def __init__(self, vehicle: VehicleAccess) -> None:
+        """Args: the vehicle that is commanded."""
+        super().__init__(vehicle)
+        self._reset_at, self._resets = -math.inf, 0
 
     def handlers(self) -> Handlers:
         """By MAV_CMD."""
@@ -46,6 +57,13 @@ class FlightPhaseCommands(CommandHandlers):
     def _reboot_shutdown(self, params: Params) -> Acknowledgement:
         action = whole_number(params[0])
         if action == REBOOT:
+            if self._resets >= MOST_RESETS:
+                return Acknowledgement(Result.REJECTED, f"refused: {MOST_RESETS} resets were flown")
+            now = time.monotonic()
+            if now < self._reset_at + RESET_INTERVAL:
+                reason = f"refused: one reset in {RESET_INTERVAL:g} s"
+                return Acknowledgement(Result.REJECTED, reason)
+            self._reset_at, self._resets = now, self._resets + 1
             self._vehicle.queue_command(Reset())
             return Acknowledgement(Result.ACCEPTED, "reset: the scenario begins anew")
         if action == SHUTDOWN:

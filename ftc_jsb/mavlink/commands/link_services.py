@@ -1,6 +1,5 @@
 """What ground stations ask of the link itself: TIMESYNC, PING, REQUEST_DATA_STREAM."""
 
-import time
 from typing import Any
 
 from pymavlink.dialects.v20 import common as dialect
@@ -17,9 +16,9 @@ class LinkServices:
         self._vehicle = vehicle
 
     def timesync(self, message: Any) -> None:
-        """A request is answered with our clock [ns]; an answer is not asked for."""
-        if message.tc1 == 0:
-            now = {"tc1": time.monotonic_ns(), "ts1": message.ts1}
+        """A request is answered with the vehicle's clock [ns], the time of flight; an answer with nothing."""
+        if message.tc1 == 0:  # which says that it is a request, so that ours is never 0
+            now = {"tc1": max(1e3 * self._vehicle.snapshot().time_usec, 1.0), "ts1": message.ts1}
             self._vehicle.send(dialect.MAVLink_timesync_message, now)
 
     def ping(self, message: Any) -> None:
@@ -35,4 +34,4 @@ class LinkServices:
     def request_data_stream(self, message: Any) -> None:
         """The rate of a group of messages."""
         rate = float(message.req_message_rate) if message.start_stop else 0.0
-        self._vehicle.schedule.set_group(message.req_stream_id, rate)
+        self._vehicle.schedule.set_group(message.req_stream_id, rate, self._vehicle.station)

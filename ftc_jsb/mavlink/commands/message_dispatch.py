@@ -20,7 +20,7 @@ class MessageDispatcher:
     def __init__(self, vehicle: VehicleAccess, link: Link, log: TelemetryLog | None) -> None:
         """Args: the vehicle; its identity; where what is acted on is logged."""
         self.ignored = 0  # messages not for us, or on a link that is read-only
-        self._link, self._log = link, log
+        self._vehicle, self._link, self._log = vehicle, link, log
         self._commands = commands = CommandProtocol(vehicle)
         parameters = ParameterProtocol(vehicle)
         services, unsupported = LinkServices(vehicle), UnsupportedServices(vehicle)
@@ -35,6 +35,19 @@ class MessageDispatcher:
             "MISSION_REQUEST": unsupported.mission_request,
             "MISSION_REQUEST_INT": unsupported.mission_request,
             "MISSION_CLEAR_ALL": unsupported.mission_clear_all,
+            "MISSION_REQUEST_PARTIAL_LIST": unsupported.mission_request,
+            "MISSION_WRITE_PARTIAL_LIST": unsupported.mission_count,
+            "MISSION_ITEM": unsupported.mission_count,
+            "MISSION_ITEM_INT": unsupported.mission_count,
+            "MISSION_SET_CURRENT": unsupported.mission_set_current,
+            "LOG_REQUEST_LIST": unsupported.log_request_list,
+            "LOG_REQUEST_DATA": unsupported.log_request_data,
+            "LOG_ERASE": unsupported.not_followed,
+            "SET_ATTITUDE_TARGET": unsupported.not_followed,
+            "SET_POSITION_TARGET_LOCAL_NED": unsupported.not_followed,
+            "SET_POSITION_TARGET_GLOBAL_INT": unsupported.not_followed,
+            "MANUAL_CONTROL": unsupported.not_followed,
+            "RC_CHANNELS_OVERRIDE": unsupported.not_followed,
             "FILE_TRANSFER_PROTOCOL": unsupported.file_transfer_protocol,
             "TIMESYNC": services.timesync,
             "PING": services.ping,
@@ -49,6 +62,10 @@ class MessageDispatcher:
     def dispatch(self, message: Any) -> None:
         """Act on a message that has come through."""
         handler = self._handlers.get(message.get_type())
+        station = message.get_srcSystem(), message.get_srcComponent()
+        if not self._link.readonly and station != (self._link.system, COMPONENT):
+            self._vehicle.station = station
+            self._vehicle.schedule.hear(station)
         if handler is None:
             return
         if self._link.readonly or not self._is_for_us(message):

@@ -12,7 +12,12 @@ from ftc_jsb.mavlink.commands.command_handlers import (
     Result,
     whole_number,
 )
-from ftc_jsb.mavlink.telemetry.message_streams import STREAM_BY_ID, message_fields
+from ftc_jsb.mavlink.telemetry.message_streams import (
+    BUDGET,
+    HIGHEST_RATE,
+    STREAM_BY_ID,
+    message_fields,
+)
 from ftc_jsb.mavlink.telemetry.status_messages import autopilot_version, home_position
 
 
@@ -40,8 +45,13 @@ class MessageRequestCommands(CommandHandlers):
             rate = 0.0
         else:
             rate = 1e6 / interval
-        done = math.isfinite(rate) and self._vehicle.schedule.set_rate(message, rate)
-        return Acknowledgement(Result.ACCEPTED if done else Result.DENIED)
+        schedule, station = self._vehicle.schedule, self._vehicle.station
+        if math.isfinite(rate) and schedule.set_rate(message, rate, station):
+            return Acknowledgement(Result.ACCEPTED)
+        return Acknowledgement(
+            Result.DENIED,
+            f"refused: rate: {HIGHEST_RATE:g} Hz, in all {BUDGET:g}/s",
+        )
 
     def _get_interval(self, params: Params) -> Acknowledgement:
         message = whole_number(params[0])

@@ -4,10 +4,19 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as dialect
 
-from ftc_jsb.mavlink.commands.parameters import float32_as_meant
+from ftc_jsb.mavlink.commands.parameters import (
+    as_bytes,
+    float32_as_meant,
+    integer_as_meant,
+    is_in_bytes,
+)
 from ftc_jsb.mavlink.commands.vehicle_access import VehicleAccess
 from ftc_jsb.mavlink.link.message_fields import addressed_to_sender
 
+INTEGERS = (
+    dialect.MAV_PARAM_TYPE_UINT8, dialect.MAV_PARAM_TYPE_INT8, dialect.MAV_PARAM_TYPE_UINT16,
+    dialect.MAV_PARAM_TYPE_INT16, dialect.MAV_PARAM_TYPE_UINT32, dialect.MAV_PARAM_TYPE_INT32,
+)  # fmt: skip
 REAL32 = dialect.MAV_PARAM_TYPE_REAL32  # of every parameter
 
 
@@ -46,29 +55,36 @@ class ParameterProtocol:
             self._vehicle.send_text(
                 dialect.MAV_SEVERITY_NOTICE, f"refused: {message.param_id}: {reason}"
             )
-        self._send(index)
+        if problem is None and message.param_type in INTEGERS:
+            self._send(index, message.param_type, is_in_bytes(message.param_value))
+        else:
+            self._send(index)
 
     def _set(self, message: Any) -> tuple[int, str] | None:
         """Set the value, or say what is wrong with it."""
         parameters = self._vehicle.parameters
-        if message.param_type != REAL32:
-            return dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE, "expected REAL32"
+        if message.param_type not in (REAL32, *INTEGERS):
+            return dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE, "expected REAL32 or an integer"
+        value = float32_as_meant(message.param_value)
+        if message.param_type in INTEGERS:
+            value = integer_as_meant(message.param_value)
         parameter = parameters.all[parameters.index_of(message.param_id) or 0]
         if parameter.key and not self._vehicle.snapshot().in_flight:
             return dialect.MAV_PARAM_ERROR_PERMISSION_DENIED, "not in flight"
-        if not parameters.set(
-            message.param_id, float32_as_meant(message.param_value), self._vehicle.queue_command
-        ):
-            return dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE, "out of range"
+        if not parameters.set(message.param_id, value, self._vehicle.queue_command):
+            return dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE, parameters.bound(
+                message.param_id, value
+            )
         return None
 
-    def _send(self, index: int) -> None:
+    def _send(self, index: int, kind: int = REAL32, in_bytes: bool = False) -> None:
+        """A parameter; as an integer for who set it so, in the bytes of the field where they were, too."""
         parameters = self._vehicle.parameters
         name = parameters.all[index].name
         fields = {
             "param_id": name,
-            "param_value": parameters[name],
-            "param_type": REAL32,
+            "param_value": as_bytes(parameters[name]) if in_bytes else parameters[name],
+            "param_type": kind,
             "param_count": len(parameters.all),
             "param_index": index,
         }

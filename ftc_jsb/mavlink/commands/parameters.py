@@ -1,6 +1,8 @@
 """The parameters of the vehicle: numbers of the outer loop, and how commands act."""
 
 import math
+import re
+import struct
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -145,10 +147,46 @@ class Parameters:
         queue_command(change)
         return True
 
+    def bound(self, name: str, value: float) -> str:
+        """What was expected of a value that `set` has refused."""
+        parameter = self.all[self._index[name]]
+        if not math.isfinite(value):
+            return "expected a number"
+        if not parameter.key:
+            kind = "whole, " if parameter.whole else ""
+            return f"expected {kind}{parameter.low:g} to {parameter.high:g}"
+        try:
+            changed_loop(self._loop, SetLoop(key=parameter.key, value=value))
+        except ScenarioError as error:
+            found = re.search(r"(less|greater) than (?:or equal to )?(\S+)", str(error))
+            if found:
+                return f"expected {'at most' if found[1] == 'less' else 'at least'} {found[2]}"
+        return "out of range"
+
 
 def _loop_number(loop: Loop, key: str) -> float:
     """A number of [loop], such as `gains[0]` or `detector.margin`."""
     return float(value_at(loop.model_dump(), key))
+
+
+TINIEST = 1e-20  # below it a 32-bit float is no integer, but the bytes of one of up to 2^29
+
+
+def is_in_bytes(value: float) -> bool:
+    """Whether an integer came in the bytes of a 32-bit float, as some stations send it."""
+    return math.isfinite(value) and 0.0 < abs(value) < TINIEST
+
+
+def integer_as_meant(value: float) -> float:
+    """An integer that came as a 32-bit float of the same value, or in its bytes."""
+    if is_in_bytes(value):
+        return float(struct.unpack("<i", struct.pack("<f", value))[0])
+    return value
+
+
+def as_bytes(value: float) -> float:
+    """The 32-bit float whose bytes are those of an integer."""
+    return float(struct.unpack("<f", struct.pack("<i", round(value)))[0])
 
 
 def float32_as_meant(value: float) -> float:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any, Protocol
 
 from ftc_jsb.mavlink.commands.parameters import Parameters
-from ftc_jsb.mavlink.telemetry.message_streams import StreamSchedule
+from ftc_jsb.mavlink.telemetry.message_streams import Station, StreamSchedule
 from ftc_jsb.mavlink.telemetry.snapshot import Snapshot
 from ftc_jsb.recording.commands import Command
 from ftc_jsb.scenario.schema import Scenario
@@ -16,6 +16,7 @@ class VehicleAccess(Protocol):
     scenario: Scenario
     parameters: Parameters
     schedule: StreamSchedule
+    station: Station  # whose message is being acted on
     leaves_after_flight: bool  # whether the link closes when the flight is over
 
     def snapshot(self) -> Snapshot:

@@ -3,9 +3,11 @@
 import hashlib
 from pathlib import Path
 
+from ftc_jsb.bounded_file import UnreadableError, read_bounded
 from ftc_jsb.errors import LinkError
 
 SHORTEST_PHRASE = 8  # characters
+LONGEST_FILE = 10_000  # bytes
 
 
 def load_key(path: Path) -> bytes:
@@ -15,9 +17,9 @@ def load_key(path: Path) -> bytes:
         LinkError: no such file, or no pass phrase in it.
     """
     try:
-        phrase = path.read_bytes().strip()
-    except OSError as error:
-        raise LinkError(f"--mavlink-key {path}: cannot be read: {error.strerror}") from None
+        phrase = read_bounded(path, LONGEST_FILE).strip()
+    except UnreadableError as error:
+        raise LinkError(f"--mavlink-key {path}: {error}") from None
     if len(phrase) < SHORTEST_PHRASE or b"\n" in phrase:
         raise LinkError(
             f"--mavlink-key {path}: expected a pass phrase of one line, {SHORTEST_PHRASE} characters or more"

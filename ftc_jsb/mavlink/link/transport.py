@@ -9,6 +9,8 @@ from typing import Protocol
 from ftc_jsb.mavlink.link.endpoint import Endpoint, open_socket
 
 MOST_PEERS = 8
+GRACE = 2.0  # [s] that a TCP client which nothing is heard of keeps its place from a newcomer
+SILENT = 5.0  # [s] after which a peer gives way to a newcomer; stations are heard of every second
 PEER_TIMEOUT = 30.0  # [s] of silence after which a peer of a UDP port is no longer sent to
 BACKLOG = 256 * 1024  # [bytes] that a TCP client may be behind before frames are dropped
 LARGEST_READ = (
@@ -78,8 +80,12 @@ class _Udp:
 
     def accept_peer(self, peer: Hashable) -> None:
         now = time.monotonic()
-        if peer in self._peers or len(self._peers) < MOST_PEERS:
-            self._peers[peer] = now
+        if peer not in self._peers and len(self._peers) >= MOST_PEERS:
+            quietest = min(self._peers, key=self._peers.__getitem__)
+            if self._peers[quietest] > now - SILENT:
+                return
+            del self._peers[quietest]
+        self._peers[peer] = now
 
     def send(self, frame: bytes) -> None:
         if self._connected:
@@ -112,6 +118,8 @@ class _TcpServer:
         self._server = sock
         self._selector = selector
         self._backlogs: dict[socket.socket, bytearray] = {}
+        self._since: dict[socket.socket, float] = {}  # when it came, until it is understood
+        self._heard: dict[socket.socket, float] = {}  # when it was last understood
         self._disconnected: list[Hashable] = []
         self.unsent = 0
         selector.register(sock, selectors.EVENT_READ)
@@ -136,16 +144,33 @@ class _TcpServer:
             client, _ = self._server.accept()
         except OSError:
             return
-        if len(self._backlogs) >= MOST_PEERS:
+        if len(self._backlogs) >= MOST_PEERS and not self._make_room():
             client.close()
             return
+        self._since[client] = time.monotonic()
         client.setblocking(False)
         client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._backlogs[client] = bytearray()
         self._selector.register(client, selectors.EVENT_READ)
 
+    def _make_room(self) -> bool:
+        """Drop who gives way to a newcomer: idle ones first, stations only after a long silence.
+
+        So one that sends frames that are trusted keeps its place, however many others connect.
+        """
+        now = time.monotonic()
+        idle = [client for client, came in self._since.items() if came < now - GRACE]
+        silent = [client for client, heard in self._heard.items() if heard < now - PEER_TIMEOUT]
+        for client in [*idle, *silent][:1]:
+            self._drop(client)
+            return True
+        return False
+
     def accept_peer(self, peer: Hashable) -> None:
-        pass  # who connects to a port of ours is sent to at once
+        """Who connects is sent to at once; whom we understand keeps its place."""
+        if isinstance(peer, socket.socket) and peer in self._backlogs:
+            self._since.pop(peer, None)
+            self._heard[peer] = time.monotonic()
 
     def send(self, frame: bytes) -> None:
         for client, backlog in list(self._backlogs.items()):
@@ -165,6 +190,8 @@ class _TcpServer:
         self._selector.unregister(client)
         client.close()
         del self._backlogs[client]
+        self._since.pop(client, None)
+        self._heard.pop(client, None)
         self._disconnected.append(client)
 
     def disconnected(self) -> list[Hashable]:

@@ -10,9 +10,11 @@ from pymavlink.dialects.v20 import common as dialect
 
 from ftc_jsb.analysis.default_limits import flight_limits
 from ftc_jsb.analysis.limits import limited_variables
+from ftc_jsb.analysis.loss_of_control import loss_of_control
 from ftc_jsb.disturbance.faults import ENGINE_OUT, HEALTHY, HELD, TIME_TOLERANCE
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.vocabulary.channels import CHANNELS, ENGINES, SURFACES
+from ftc_jsb.vocabulary.hypotheses import HYPOTHESES, NOBODY
 from ftc_jsb.vocabulary.signals import SENSED
 
 FULL_EFFECTIVENESS = 1.0 - 1e-9  # effectiveness below which there is a fault
@@ -20,6 +22,7 @@ EFFECTIVENESS_STEP = 0.02  # change from one sample to the next that is an event
 NEAR_LIMIT = 0.05  # of a limit's range: this close to its end is near
 SETTLED_CHANGE = 0.01  # an estimate that moves less than this ...
 SETTLING_TIME = 0.5  # ... in this time [s] has isolated the fault
+LOOKBACK = 10.0  # [s] of flight in which loss of control is looked for, at each search
 LONGEST_TEXT = 50  # characters
 
 NOTICE, WARNING = dialect.MAV_SEVERITY_NOTICE, dialect.MAV_SEVERITY_WARNING
@@ -53,7 +56,13 @@ class FlightEvents:
         self._margin = scenario.loop.detector.margin
         self._window = max(1, round(SETTLING_TIME * scenario.loop.rate))
         self._limit_levels: dict[str, int] = {}  # 0 inside, 1 near, 2 broken
-        self._isolated = False
+        self._isolated = self._lost = False
+        self._lookback = round(LOOKBACK * scenario.loop.rate)
+
+    @property
+    def critical(self) -> bool:
+        """Whether a limit is broken in the last row of those, or control was lost."""
+        return self._lost or 2 in self._limit_levels.values()
 
     def find(self, record: npt.NDArray[Any], first: int, beyond: int) -> list[Event]:
         """Events of rows `first` to `beyond - 1`, in their order."""
@@ -61,8 +70,10 @@ class FlightEvents:
             *self._schedule_events(record, first, beyond),
             *self._sensor_events(record, first, beyond),
             *self._detector_events(record, first, beyond),
+            *self._suspicion_events(record, first, beyond),
             *self._attainment_events(record, first, beyond),
             *self._limit_events(record[first:beyond], first),
+            *self._loss_events(record, first, beyond),
         ]
         return sorted(found, key=lambda event: event.row)
 
@@ -123,6 +134,22 @@ class FlightEvents:
                     self._isolated = True
                     yield Event(k, WARNING, text)
 
+    def _suspicion_events(
+        self, record: npt.NDArray[Any], first: int, beyond: int
+    ) -> Iterator[Event]:
+        """Whose fault it is believed to be, with its probability."""
+        suspect = np.nan_to_num(record["suspect"][max(first - 1, 0) : beyond]).astype(int)
+        if first == 0:
+            suspect = np.concatenate(([NOBODY], suspect))
+        for k in np.flatnonzero(suspect[1:] != suspect[:-1]):
+            i = first + int(k)
+            who = HYPOTHESES[suspect[k + 1]].replace("_", " ")
+            if suspect[k + 1] == NOBODY:
+                yield Event(i, NOTICE, "nobody is suspect any more")
+            else:
+                sure = float(record[i]["suspect_probability"])
+                yield Event(i, WARNING, f"suspect: {who}, probability {sure:.2f}"[:LONGEST_TEXT])
+
     def _attainment_events(
         self, record: npt.NDArray[Any], first: int, beyond: int
     ) -> Iterator[Event]:
@@ -139,6 +166,16 @@ class FlightEvents:
                 yield Event(i, WARNING, text[:LONGEST_TEXT])
             else:
                 yield Event(i, NOTICE, "references attainable again")
+
+    def _loss_events(self, record: npt.NDArray[Any], first: int, beyond: int) -> Iterator[Event]:
+        """The first loss of control."""
+        if self._lost or beyond < 2:
+            return
+        lost = loss_of_control(record[max(min(first, beyond - self._lookback), 0) : beyond])
+        if lost is not None:
+            self._lost = True
+            row = int(np.searchsorted(record["time"][:beyond], lost.time - TIME_TOLERANCE))
+            yield Event(max(row, first), CRITICAL, f"control lost: {lost.kind}"[:LONGEST_TEXT])
 
     def _isolation(self, row: Any, before: Any) -> str:
         """Which channel has lost how much, once the estimate has settled; "" before that."""

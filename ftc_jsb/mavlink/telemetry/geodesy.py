@@ -3,11 +3,8 @@
 import math
 from functools import lru_cache
 
-from pymap3d.enu import enu2geodetic
-
-EARTH_RADIUS = 6.371e6  # [m]
-
-Origin = tuple[float, float, float]  # latitude, longitude [deg], altitude [m]
+from ftc_jsb.analysis.geodesy import Origin as Origin
+from ftc_jsb.analysis.geodesy import over_the_ground
 
 
 @lru_cache(maxsize=1)  # several messages of one sample ask
@@ -23,6 +20,5 @@ def latitude_longitude(
     """
     if not math.isfinite(north + east + altitude):
         return origin[:2]
-    up = altitude - origin[2] - (north * north + east * east) / (2.0 * EARTH_RADIUS)
-    latitude, longitude, _ = enu2geodetic(east, north, up, *origin)
+    latitude, longitude = over_the_ground(north, east, altitude, origin)
     return float(latitude), float(longitude)

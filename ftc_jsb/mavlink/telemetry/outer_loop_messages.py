@@ -4,6 +4,8 @@ import math
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
+from pymavlink.dialects.v20 import common as dialect
+
 from ftc_jsb.mavlink.link.message_fields import Fields
 from ftc_jsb.mavlink.telemetry.snapshot import Snapshot
 
@@ -49,9 +51,41 @@ OUTER_LOOP_VALUES = (
     NamedValue("V_ERR", "m/s", "airspeed minus its reference", _error("airspeed")),
     NamedValue("FPA_ERR", "deg", "flight path minus its reference", _error_degrees("flight_path_angle")),
     NamedValue("HDG_ERR", "deg", "heading minus its reference", _error_degrees("heading")),
+    NamedValue("TAS_M", "m/s", "true airspeed, measured", _column("airspeed_meas")),
+    NamedValue("ALT_M", "m", "altitude, measured", _column("altitude_meas")),
+    NamedValue("CLIMB_LOST", "deg", "path angle given up for want of thrust", _degrees("climb_given_up")),
+    NamedValue("TURN_LOST", "deg/s", "turn rate given up for want of thrust", _degrees("turn_given_up")),
 )  # fmt: skip
 ARRAY_NAME = "FTC"
 ARRAY_ID = 1
+
+
+GATE = 3.0  # standard deviations of an innovation at which its ratio is 1
+
+
+def estimator_status(s: Snapshot) -> Fields:
+    """ESTIMATOR_STATUS: innovations over 3 of their standard deviations; nan where nothing is estimated."""
+    ratios = {name: _ratio(s, name) for name in ("airspeed", "flight_path_angle", "heading")}
+    unknown = math.nan
+    there = math.isfinite(ratios["airspeed"])
+    velocity = dialect.ESTIMATOR_VELOCITY_HORIZ | dialect.ESTIMATOR_VELOCITY_VERT
+    return {
+        "time_usec": s.time_usec,
+        "flags": velocity if there else 0,
+        "vel_ratio": ratios["flight_path_angle"],
+        "pos_horiz_ratio": unknown,
+        "pos_vert_ratio": unknown,
+        "mag_ratio": ratios["heading"],
+        "hagl_ratio": unknown,
+        "tas_ratio": ratios["airspeed"],
+        "pos_horiz_accuracy": unknown,
+        "pos_vert_accuracy": unknown,
+    }
+
+
+def _ratio(s: Snapshot, name: str) -> float:
+    innovation, deviation = s.row[f"{name}_innovation"], s.row[f"{name}_innovation_std"]
+    return abs(innovation) / (GATE * deviation) if deviation > 0.0 else math.nan
 
 
 def named_value_float(s: Snapshot) -> Iterator[Fields]:

@@ -52,6 +52,14 @@ class Snapshot(NamedTuple):
     thrust_idle: float  # [N]
     thrust_maximum: float  # [N]
     origin: Origin  # of north and east
+    critical: bool = False  # whether a limit is broken, or control lost
+
+    def silent(self, *signals: str) -> bool:
+        """Whether a signal that the aircraft has gives no reading."""
+        return any(
+            math.isfinite(self.row.get(name, math.nan)) and math.isnan(self.row[f"{name}_meas"])
+            for name in signals
+        )
 
     @property
     def in_flight(self) -> bool:

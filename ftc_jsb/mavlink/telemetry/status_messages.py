@@ -25,10 +25,19 @@ SENSORS = (
     | dialect.MAV_SYS_STATUS_SENSOR_DIFFERENTIAL_PRESSURE
     | dialect.MAV_SYS_STATUS_SENSOR_GPS
     | dialect.MAV_SYS_STATUS_SENSOR_ATTITUDE_STABILIZATION
-    | dialect.MAV_SYS_STATUS_GEOFENCE
     | dialect.MAV_SYS_STATUS_AHRS
     | dialect.MAV_SYS_STATUS_PREARM_CHECK
 )
+# What each sensor is judged by: without a reading of one of its signals, it is unhealthy.
+SIGNALS_OF = {
+    dialect.MAV_SYS_STATUS_SENSOR_3D_GYRO: ("roll_rate", "pitch_rate", "yaw_rate"),
+    dialect.MAV_SYS_STATUS_SENSOR_3D_ACCEL: ("load_factor_x", "load_factor_y", "load_factor_z"),
+    dialect.MAV_SYS_STATUS_SENSOR_3D_MAG: ("yaw",),
+    dialect.MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE: ("altitude",),
+    dialect.MAV_SYS_STATUS_SENSOR_DIFFERENTIAL_PRESSURE: ("airspeed",),
+    dialect.MAV_SYS_STATUS_SENSOR_GPS: ("north", "east"),
+    dialect.MAV_SYS_STATUS_AHRS: ("roll", "pitch", "yaw"),
+}
 ENGINE = dialect.MAV_SYS_STATUS_SENSOR_PROPULSION
 STATES = {
     Phase.WAITING: dialect.MAV_STATE_BOOT,
@@ -47,24 +56,29 @@ CAPABILITIES = (
 
 
 def heartbeat(s: Snapshot) -> Fields:
-    """HEARTBEAT: a fixed wing, armed while it flies."""
+    """HEARTBEAT: a fixed wing, armed while it flies; critical while a limit is broken or control lost."""
+    in_danger = s.in_flight and s.critical
     return {
         "type": dialect.MAV_TYPE_FIXED_WING,
         "autopilot": dialect.MAV_AUTOPILOT_GENERIC,
         "base_mode": MODE | (ARMED if s.in_flight else 0),
         "custom_mode": CUSTOM_MODE,
-        "system_status": STATES[s.phase],
+        "system_status": dialect.MAV_STATE_CRITICAL if in_danger else STATES[s.phase],
         "mavlink_version": 3,
     }
 
 
 def sys_status(s: Snapshot) -> Fields:
-    """SYS_STATUS: propulsion is unhealthy while the detector declares a fault; the link's counters."""
+    """SYS_STATUS: propulsion is unhealthy while the detector declares a fault; a sensor without a reading.
+
+    The link's counters stand in the fields of errors.
+    """
+    silent = sum(bit for bit, names in SIGNALS_OF.items() if s.silent(*names))
     no_fault = s.row.get("fault_declared", 0.0) < 0.5
     return {
         "onboard_control_sensors_present": SENSORS | ENGINE,
         "onboard_control_sensors_enabled": SENSORS | ENGINE,
-        "onboard_control_sensors_health": SENSORS | (ENGINE if no_fault else 0),
+        "onboard_control_sensors_health": SENSORS & ~silent | (ENGINE if no_fault else 0),
         "load": min(max(1000.0 * s.health.load, 0.0), 1000.0),
         "voltage_battery": UNKNOWN_16,
         "current_battery": -1,

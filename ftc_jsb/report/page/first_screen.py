@@ -94,7 +94,7 @@ def _flown(flight: Flight) -> list[str]:
 
 def _judged(members: Flights) -> list[str]:
     """Flights that should tolerate the fault, the 6-DOF aircraft first."""
-    order = {"jsbsim": 0, "identified": 1, "paper": 2}
+    order = {"flightgear": 0, "jsbsim": 1, "identified": 2, "paper": 3}
     labels = [k for k, f in members.items() if f.scenario.loop.name not in INTOLERANT]
     return sorted(labels, key=lambda label: order[members[label].scenario.model])
 

@@ -3,8 +3,11 @@
 from collections.abc import Iterator
 
 import numpy as np
+import numpy.typing as npt
 
 from ftc_jsb.runs.theory import Analysis, TheoryFlight
+
+Array = npt.NDArray[np.float64]
 
 
 def theory_lines(analysis: Analysis, flights: dict[str, TheoryFlight]) -> Iterator[str]:
@@ -33,13 +36,16 @@ def theory_lines(analysis: Analysis, flights: dict[str, TheoryFlight]) -> Iterat
 def _flight_words(flight: TheoryFlight) -> str:
     if flight.history is None:
         return flight.problem
-    largest = np.array2string(np.abs(flight.history.error).max(axis=0), precision=3)
-    words = f"largest |e| {largest}"
+    words = f"largest |e| {_each(np.abs(flight.history.error).max(axis=0))}"
     if flight.proof is None:
-        return f"{words}; the plant is not the model, so no bound is predicted"
+        return f"{words}; {flight.problem}"
     if flight.proof.obeyed:
-        return (
-            f"{words}; V below its bound, ||e|| predicted within {flight.proof.predicted.max():.3g}"
-        )
+        each = _each(flight.proof.predicted_each.max(axis=0))
+        return f"{words}; V below its bound, |e| predicted within {each}"
     reasons = [*flight.proof.broken, *([] if flight.proof.below else ["V exceeds its bound"])]
     return f"{words}; outside the proof: {'; '.join(reasons)}"
+
+
+def _each(values: Array) -> str:
+    """Numbers of different sizes, each with three digits."""
+    return ", ".join(f"{value:.3g}" for value in values)

@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from ftc_jsb.aircraft.description import Aircraft, Correction, Edit
+from ftc_jsb.bounded_file import is_file
+from ftc_jsb.confinement import OutsideError, confined
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.six_dof.weaving.elements import required
 
@@ -29,19 +31,26 @@ def apply_corrections(aircraft: Aircraft, parsed: Mapping[str, ET.Element], syst
 
 
 def _edit_system(systems: Path, aircraft: str, correction: Correction, edit: Edit) -> None:
-    path = systems / f"{edit.file}.xml"
-    if not path.is_file():
-        raise AircraftError(
-            f"aircraft {aircraft!r}, correction {correction.name!r}: no engine or system "
-            f"{edit.file!r} in the installed jsbsim"
-        )
+    where = f"aircraft {aircraft!r}, correction {correction.name!r}"
+    try:
+        path = confined(systems, f"{edit.file}.xml")
+    except OutsideError as error:
+        raise AircraftError(f"{where}: file: {error}") from None
+    if not is_file(path):
+        raise AircraftError(f"{where}: no engine or system {edit.file!r} in the installed jsbsim")
     tree = ET.parse(path)
     _edit(tree.getroot(), aircraft, correction, edit)
     tree.write(path)
 
 
 def _edit(root: ET.Element, aircraft: str, correction: Correction, edit: Edit) -> None:
-    element = root.find(edit.element)
+    try:
+        element = root.find(edit.element)
+    except (SyntaxError, KeyError, TypeError):
+        raise AircraftError(
+            f"aircraft {aircraft!r}, correction {correction.name!r}: {edit.element!r}: expected the "
+            "path of an element, such as flight_control/channel"
+        ) from None
     text = (element.text or "").strip() if element is not None else None
     if element is None or text != edit.expect:
         raise AircraftError(

@@ -5,6 +5,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import NamedTuple
 
+from ftc_jsb.confinement import OutsideError, confined
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.six_dof.weaving.engine_deck import thrust_tables
 from ftc_jsb.vocabulary.channels import ENGINES
@@ -47,8 +48,16 @@ def package_root() -> Path:
 
 
 def model_file(model: str) -> Path:
-    """Where the XML of an installed aircraft is; there may be none."""
-    return package_root() / "aircraft" / model / f"{model}.xml"
+    """Where the XML of an installed aircraft is; there may be none.
+
+    Raises:
+        AircraftError: the name leads out of the installed package.
+    """
+    try:
+        folder = confined(package_root() / "aircraft", model)
+        return confined(folder, f"{model}.xml")
+    except OutsideError as error:
+        raise AircraftError(f"jsbsim_model: {error}") from None
 
 
 def installed_names() -> list[str]:

@@ -22,6 +22,7 @@ from ftc_jsb.six_dof.weaving.faults import weave_faults
 from ftc_jsb.six_dof.weaving.installed import installed, model_file
 from ftc_jsb.six_dof.weaving.measured_signals import measured_structure
 from ftc_jsb.six_dof.weaving.numbers import check_whose
+from ftc_jsb.six_dof.weaving.trial import is_vouched_for, try_out
 from ftc_jsb.sources import source_digest
 from ftc_jsb.verified_cache import sealed_folder
 
@@ -32,6 +33,10 @@ INNER_LOOP_SYSTEM = "ftc_inner_loop"
 THROTTLE_SYSTEM = "ftc_throttles"
 # The structure of the inner loop, for every aircraft.
 INNER_LOOP = Path(__file__).with_name("inner_loop_structure.xml")
+
+
+# What comes of elements that are read after a correction has removed or changed them.
+_NOT_AS_EXPECTED = (ValueError, LookupError, TypeError, AttributeError, ET.ParseError)
 
 
 def woven_aircraft(aircraft: Aircraft, corrected: bool, measured: bool = False) -> Path:
@@ -47,8 +52,8 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool, measured: bool = False) 
         measured: the inner loop reads its sensors; otherwise the truth.
 
     Raises:
-        AircraftError: the installed model or one of its files is missing, or an edit does not
-            find what it expects.
+        AircraftError: the installed model or one of its files is missing, an edit does not
+            find what it expects, or JSBSim aborts on the files of a user's aircraft.
     """
     import jsbsim
 
@@ -70,9 +75,16 @@ def woven_aircraft(aircraft: Aircraft, corrected: bool, measured: bool = False) 
             inner_loop.write_text(measured_structure(INNER_LOOP.read_text(encoding="utf-8")))
 
     try:
-        return sealed_folder(f"aircraft/{digest.hexdigest()[:24]}", weave)
+        woven = sealed_folder(f"aircraft/{digest.hexdigest()[:24]}", weave)
     except WriteError as error:
         raise AircraftError(f"aircraft {aircraft.name!r}: {error}") from None
+    except _NOT_AS_EXPECTED as error:
+        raise AircraftError(
+            f"aircraft {aircraft.name!r}: its corrections leave XML that cannot be woven: {error!r}"
+        ) from None
+    if not is_vouched_for(aircraft.folder):
+        try_out(aircraft.name, aircraft.jsbsim_model, woven)
+    return woven
 
 
 def _weave(aircraft: Aircraft, corrected: bool, numbers: Path, root: Path) -> None:

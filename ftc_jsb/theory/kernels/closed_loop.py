@@ -26,6 +26,7 @@ class World(NamedTuple):
     """What acts on plant and sensors, a row for each sample."""
 
     effectiveness: Array  # (rows, inputs), k
+    told: Array  # (rows, inputs), k as a law with TRUTH knows it
     offset: Array  # (rows, inputs), added to k u
     held: Array  # (rows, inputs), where an input is stuck; nan = free
     push: Array  # (rows, plant states), added to the state after the sample: process noise
@@ -99,7 +100,7 @@ def run(state: LoopState, world: World, constants: Constants, history: History) 
         status = _know(state, world, constants, history, i)
         if status != SOUND:
             return FILTER_FAILED + status, i
-        _tell(state, world.effectiveness[i], constants, known)
+        _tell(state, world.told[i], constants, known)
         for j in range(INPUTS):
             k[j] = max(known[STATES + j], constants.filter.floor)
         now = Reference(history.reference[i], history.derivative[i])
@@ -145,12 +146,12 @@ def _know(state: LoopState, world: World, constants: Constants, history: History
 
 
 @compiled
-def _tell(state: LoopState, truth: Vector, constants: Constants, known: Vector) -> None:
+def _tell(state: LoopState, told: Vector, constants: Constants, known: Vector) -> None:
     """State and effectiveness that the law goes by."""
     fill(known[STATES:], 1.0)
     if constants.told == TRUTH:
         copy(state.x[:STATES], known)
-        copy(truth, known[STATES:])
+        copy(told, known[STATES:])
     else:
         copy(state.z[:STATES], known)
         if constants.told == ESTIMATE:

@@ -33,7 +33,7 @@ def vessel() -> System:
     )
     states = (_NORTH, _EAST, _YAW, _SURGE, _SWAY, _TURN)
     ranges = {
-        _NORTH: (-40.0, 40.0), _EAST: (-40.0, 40.0), _YAW: (-7.0, 7.0), _SURGE: (0.2, 0.8),
+        _NORTH: (-40.0, 40.0), _EAST: (-40.0, 40.0), _YAW: (-0.5, 3.7), _SURGE: (0.2, 0.8),
         _SWAY: (-0.3, 0.3), _TURN: (-0.3, 0.3), _THRUST: (0.4, 6.0), _AZIMUTH: (-1.4, 1.4),
         _TUNNEL: (-4.0, 4.0),
     }  # fmt: skip

@@ -1,0 +1,144 @@
+"""Which readings the loop believes: the isolation between the recording and the outer loop."""
+
+import math
+from typing import Any
+
+from ftc_jsb.compiled import compiled
+from ftc_jsb.estimation.process import place_of_channel
+from ftc_jsb.frames import measure_path
+from ftc_jsb.isolation.isolate import confirm_thrust, isolate, start_isolation
+from ftc_jsb.isolation.records import ACCEPTED, COUNT
+from ftc_jsb.isolation.redundancy import LOAD_X, LOAD_Z
+from ftc_jsb.point_mass.model import at_condition
+from ftc_jsb.vocabulary.channels import THRUST
+from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, THRUST_LOSS, UNKNOWN
+from ftc_jsb.vocabulary.kernel_types import (
+    IsolationState,
+    LoopSettings,
+    LoopState,
+    ModelRecord,
+    Row,
+    Vector,
+)
+
+SPOILT = 0.1  # of the effectiveness: standard deviation of what a wrong instrument has left behind
+
+
+@compiled
+def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: int) -> None:
+    """Replace the readings of row `i` that cannot be believed, and say whose fault it is.
+
+    Args:
+        s, m, x: settings, model and state of the loop.
+        row: row `i` of the recording; its readings (`_meas`) are those of the instruments, and afterwards
+            what the loop and the inner loop are given.
+        i: row; 0 starts.
+    """
+    iso = x.isolation
+    raw = iso.raw
+    _read(row, raw)
+    if i == 0:
+        start_isolation(iso, raw)
+    else:
+        at = at_condition(m, x.known.state[0], x.known.altitude)
+        f = x.observer.filter
+        place = place_of_channel(f, THRUST)
+        estimate = f.estimate[place] if place >= 0 else 1.0
+        confirm_thrust(iso, estimate, s.dt)
+        thrust = x.observer.thrust * iso.effectiveness
+        isolate(s.isolation, m, at, iso, raw, thrust, estimate, s.dt)
+        if math.isfinite(iso.before) and place >= 0:
+            f.estimate[place] = iso.before
+            f.covariance[place, place] += SPOILT**2
+        iso.before = math.nan
+        if _any_excluded(iso):
+            _write(iso.signals, row)
+            measure_path(row)
+            if iso.wait > 0.0 and _load_excluded(iso):  # its error is not known yet
+                row.acceleration_meas = math.nan
+    row.suspect, row.suspect_probability = iso.suspect, iso.probability
+    row.isolation_statistic = iso.statistic
+    bits = 0
+    for k in range(COUNT):
+        if iso.excluded[k] != ACCEPTED:
+            bits += 1 << k
+    row.excluded = bits
+
+
+@compiled
+def _any_excluded(iso: IsolationState) -> bool:
+    for k in range(COUNT):
+        if iso.excluded[k] != ACCEPTED:
+            return True
+    return False
+
+
+@compiled
+def _load_excluded(iso: IsolationState) -> bool:
+    for k in range(LOAD_X, LOAD_Z + 1):
+        if iso.excluded[k] != ACCEPTED:
+            return True
+    return False
+
+
+@compiled
+def believe_isolation(iso: IsolationState, detector: Any, row: Row) -> None:
+    """The detector of thrust believes the isolation.
+
+    A loss that the isolation is sure of is declared at once; while an instrument is suspect, or the estimate
+    recovers from it, the estimate's own statistic tells nothing.
+    """
+    if iso.suspect == THRUST_LOSS and iso.statistic > 1.0 and iso.thrust == 1:
+        detector.declared, detector.elapsed = 1, 0.0
+    instrument = FIRST_INSTRUMENT <= iso.suspect < UNKNOWN and iso.statistic > 1.0
+    if (instrument or iso.quiet > 0.0) and iso.thrust == 0:
+        detector.declared, detector.elapsed = 0, 0.0
+    iso.thrust = detector.declared
+
+
+@compiled
+def _read(row: Row, out: Vector) -> None:
+    """Readings of a row, in the order of SIGNALS."""
+    out[0] = row.airspeed_meas
+    out[1] = row.altitude_meas
+    out[2] = row.alpha_meas
+    out[3] = row.sideslip_meas
+    out[4] = row.roll_meas
+    out[5] = row.pitch_meas
+    out[6] = row.yaw_meas
+    out[7] = row.roll_rate_meas
+    out[8] = row.pitch_rate_meas
+    out[9] = row.yaw_rate_meas
+    out[10] = row.load_factor_x_meas
+    out[11] = row.load_factor_y_meas
+    out[12] = row.load_factor_z_meas
+    out[13] = row.north_meas
+    out[14] = row.east_meas
+    out[15] = row.elevator_meas
+    out[16] = row.flap_meas
+    out[17] = row.aileron_meas
+    out[18] = row.rudder_meas
+
+
+@compiled
+def _write(signals: Vector, row: Row) -> None:
+    """Believed signals, in the order of SIGNALS, to a row."""
+    row.airspeed_meas = signals[0]
+    row.altitude_meas = signals[1]
+    row.alpha_meas = signals[2]
+    row.sideslip_meas = signals[3]
+    row.roll_meas = signals[4]
+    row.pitch_meas = signals[5]
+    row.yaw_meas = signals[6]
+    row.roll_rate_meas = signals[7]
+    row.pitch_rate_meas = signals[8]
+    row.yaw_rate_meas = signals[9]
+    row.load_factor_x_meas = signals[10]
+    row.load_factor_y_meas = signals[11]
+    row.load_factor_z_meas = signals[12]
+    row.north_meas = signals[13]
+    row.east_meas = signals[14]
+    row.elevator_meas = signals[15]
+    row.flap_meas = signals[16]
+    row.aileron_meas = signals[17]
+    row.rudder_meas = signals[18]

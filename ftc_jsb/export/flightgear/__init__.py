@@ -1,0 +1,1 @@
+"""`ftc-jsb export --flightgear`: the woven aircraft as one that FlightGear flies."""

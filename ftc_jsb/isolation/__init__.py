@@ -1,0 +1,1 @@
+"""Whose fault it is: analytic redundancy among instruments and thrust, hypotheses, decisions."""
