@@ -118,7 +118,7 @@ def report(factor: float) -> Iterator[str]:
 
 
 def _median(blocks: list[Block], field: str) -> float:
-    return statistics.median(getattr(each, field) for each in blocks)
+    return float(statistics.median(getattr(each, field) for each in blocks))
 
 
 if __name__ == "__main__":
