@@ -246,9 +246,11 @@ def main() -> int:
         (
             "Campaign `robustness`",
             "The first cases of the shipped [campaign](campaigns.md): five fighters, everything dispersed at "
-            "once; probability of leaving a limit with its 95 % interval. Failures with FTC by what they come "
-            "from: the same case without its fault fails, too; path or turn were given up for want of thrust; "
-            "neither.",
+            "once; probability of leaving a limit with its 95 % interval. Failures of `robust` by what they "
+            "come from: the same case without its fault fails, too; thrust for no loop: even with path and "
+            "airspeed given up as far as their limits, k T_max is less than the references need, by the drag "
+            "measured on the healthy twin; thrust short: k T_max is less than the references need for a "
+            "second or more before the limit breaks; thrust enough: neither.",
             robustness_section,
         ),
         (

@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+from scipy.interpolate import RegularGridInterpolator
 
 from ftc_jsb.aircraft.point_mass_file import load_point_mass
 from ftc_jsb.analysis.default_limits import flight_limits
-from ftc_jsb.point_mass.model import thrust_limits
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.units import STANDARD_GRAVITY
@@ -52,9 +52,12 @@ def thrust_need(flown: Flight, twin: Flight, until: float) -> ThrustNeed:
     faster = np.gradient(row["airspeed_ref"], dt) * row["mass"]
     need = (_smooth(row["drag"], round(SMOOTHED / dt)) + climb + faster) / np.cos(row["alpha"])
     aircraft = twin.scenario.aircraft
-    model = load_point_mass(aircraft_folder(aircraft.name)).record(aircraft.fuel_fraction)
-    places = zip(row["airspeed"], row["altitude"], strict=True)
-    most = np.array([thrust_limits(model[0], float(v), float(h))[1] for v, h in places])
+    deck = load_point_mass(aircraft_folder(aircraft.name)).thrust
+    knots = np.array(deck.mach), np.array(deck.altitude)
+    inside = [
+        np.clip(row[n], k[0], k[-1]) for n, k in zip(("mach", "altitude"), knots, strict=True)
+    ]
+    most = RegularGridInterpolator(knots, np.array(deck.maximum))(np.stack(inside, axis=-1))
     left = flown.record["effectiveness_thrust"][:rows] * most - need
     limits = flight_limits(flown.scenario)
     assert limits.error_flight_path_deg is not None  # default limits have both

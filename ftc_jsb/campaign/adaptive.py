@@ -23,9 +23,19 @@ from ftc_jsb.campaign.search import Trace, minimise
 from ftc_jsb.campaign.statistics import wilson
 from ftc_jsb.campaign.store import SEARCH, SUBSET, Store, opened
 from ftc_jsb.campaign.subset import subset_simulation
+from ftc_jsb.errors import ScenarioError
 
 Array = npt.NDArray[np.float64]
 ALL = 2**62  # of the cases, into results.parquet
+
+
+def _dimensions(bases: Bases) -> int:
+    """Of the unit cube that is searched."""
+    if bases.campaign.dimensions == 0:
+        raise ScenarioError(
+            "dispersion: missing; a search or a subset simulation needs one at least"
+        )
+    return bases.campaign.dimensions
 
 
 @dataclass(frozen=True)
@@ -77,7 +87,7 @@ def search_campaign(bases: Bases, folder: Path, client: Any, resume: bool, told:
 
     def work(ask: Asked, store: Store) -> None:
         blind: Trace | None = None
-        dimensions = bases.campaign.dimensions
+        dimensions = _dimensions(bases)
         if settings.baseline:
             plain = bases.campaign.model_copy(update={"sampling": "monte-carlo"})
             points = np.array([unit_point(plain, number) for number in range(settings.flights)])
@@ -104,7 +114,7 @@ def subset_campaign(bases: Bases, folder: Path, client: Any, resume: bool, told:
     def work(ask: Asked, store: Store) -> None:
         result = subset_simulation(
             lambda points: np.nan_to_num(np.array(ask(points)), nan=np.inf),
-            bases.campaign.dimensions,
+            _dimensions(bases),
             samples=settings.samples,
             level_probability=settings.level_probability,
             levels=settings.levels,

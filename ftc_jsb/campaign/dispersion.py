@@ -3,14 +3,17 @@
 import math
 from typing import Annotated, Any, Literal, Self
 
+import numpy as np
 from pydantic import Field, model_validator
-from scipy.special import ndtr, ndtri
+from scipy.special import log_ndtr, ndtr, ndtri, ndtri_exp
 
 from ftc_jsb.scenario.types import Text
 from ftc_jsb.typed_file import Section
 
 _Number = Annotated[float, Field(ge=-1e9, le=1e9)]
 _Positive = Annotated[float, Field(ge=1e-12, le=1e9)]
+
+_LARGEST = 2**1000  # integer: beyond it, none of any key's
 
 _NEEDS: dict[str, tuple[str, ...]] = {
     "uniform": ("low", "high"),
@@ -102,15 +105,10 @@ class Dispersion(Section):
         if self.distribution == "log-uniform":
             return math.exp(math.log(low) + math.log(high / low) * unit)
         mean, deviation = self.mean or 0.0, self.deviation or 0.0
-        below, above = 1e-12, 1.0 - 1e-12  # an infinite quantile is no value
         if self.distribution == "truncated-normal":
-            below, above = (
-                float(ndtr((low - mean) / deviation)),
-                float(ndtr((high - mean) / deviation)),
-            )
-        quantile = mean + deviation * float(ndtri(below + (above - below) * unit))
-        if self.distribution == "truncated-normal":
-            return min(max(quantile, low), high)
+            ends = (low - mean) / deviation, (high - mean) / deviation
+            return min(max(mean + deviation * _truncated_quantile(*ends, unit), low), high)
+        quantile = mean + deviation * float(ndtri(1e-12 + (1.0 - 2e-12) * unit))  # finite
         return min(max(quantile, mean - 7.0 * deviation), mean + 7.0 * deviation)
 
     def shown(self, unit: float) -> Any:
@@ -121,6 +119,23 @@ class Dispersion(Section):
         return float(value) if all(map(is_number, self.values or ())) else str(value)
 
 
+def _log(value: float) -> float:
+    return math.log(value) if value > 0.0 else -math.inf
+
+
+def _truncated_quantile(low: float, high: float, unit: float) -> float:
+    """Quantile of the standard normal within [low, high]; beyond 1 on one side by the tail's logarithms."""
+    if high < -1.0:
+        tails = log_ndtr(low) + _log(1.0 - unit), log_ndtr(high) + _log(unit)
+        return float(ndtri_exp(np.logaddexp(*tails)))
+    if low > 1.0:
+        return -_truncated_quantile(-high, -low, 1.0 - unit)
+    below, above = float(ndtr(low)), float(ndtr(high))
+    return float(ndtri(below + (above - below) * unit))
+
+
 def is_number(value: Any) -> bool:
-    """Whether a value of a TOML file is a number."""
-    return isinstance(value, int | float) and not isinstance(value, bool)
+    """Whether a value of a TOML file is a number that a float holds."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    return isinstance(value, float) or abs(value) <= _LARGEST

@@ -66,6 +66,14 @@ def test_grid_is_the_whole_product_with_its_ends(tmp_path):
             {"distribution": "truncated-normal", "mean": 3, "deviation": 2, "low": 2, "high": 6},
             truncnorm(-0.5, 1.5, 3, 2).cdf,
         ),
+        (  # so far out that the normal's own quantiles are infinite
+            {"distribution": "truncated-normal", "mean": 0, "deviation": 1, "low": 10, "high": 20},
+            truncnorm(10, 20).cdf,
+        ),
+        (
+            {"distribution": "truncated-normal", "mean": 0, "deviation": 1, "low": -9, "high": -2},
+            truncnorm(-9, -2).cdf,
+        ),
     ],
 )
 def test_distributions_are_what_they_are_called(keys, expected):

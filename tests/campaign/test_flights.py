@@ -11,6 +11,7 @@ from ftc_jsb.campaign.run import fly_campaign, work_of
 from ftc_jsb.campaign.store import opened
 from ftc_jsb.errors import RecordingError, UserError
 from ftc_jsb.simulation.fly import fly
+from ftc_jsb.simulation.series import Series
 from tests.campaign.campaign_files import SMALL, campaign_file
 
 
@@ -28,7 +29,7 @@ def test_a_loop_that_raises_and_a_scenario_that_is_none_are_rows(tmp_path):
 def test_what_nobody_foresaw_is_a_row_too(tmp_path, monkeypatch):
     """An error of the program itself, made by a plant that cannot be built."""
     bases = load_campaign(str(campaign_file(tmp_path)))
-    monkeypatch.setattr("ftc_jsb.campaign.flights.fly", lambda scenario: fly(scenario, plant=3))
+    monkeypatch.setattr(Series, "fly", lambda _, scenario: fly(scenario, plant=3))
     rows = fly_items(work_of(bases), [Item(0)]).rows
     assert "AttributeError" in rows[0]["error"]
 
@@ -99,6 +100,14 @@ def test_search_and_rare_event_are_taken_up_again(tmp_path, client, fly_it):
     other = subset_campaign if fly_it is search_campaign else search_campaign
     with pytest.raises(RecordingError, match="was begun as"):
         other(bases, two, client, True, quiet)
+
+
+@pytest.mark.parametrize("fly_it", [search_campaign, subset_campaign])
+def test_nothing_dispersed_is_nothing_to_search(tmp_path, client, fly_it):
+    text = SMALL.split("[[dispersion]]")[0] + SUBSET
+    bases = load_campaign(str(campaign_file(tmp_path, text)))
+    with pytest.raises(UserError, match="dispersion: missing"):
+        fly_it(bases, tmp_path, client, False, quiet)
 
 
 def test_one_folder_has_one_campaign_and_one_writer(tmp_path):
