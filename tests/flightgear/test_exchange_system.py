@@ -41,18 +41,17 @@ def test_a_command_is_taken_once_and_in_order(fdm):
     assert fdm["ftc/command/load-factor"] == 1.1
     assert fdm["ftc/received/refused"] == 0
     fdm.run()
-    refused = 0
     now = fdm["simulation/frame"]
     garbled = line_of([1.0] * 27).replace(b"1.0", b"1.5", 1)
-    for line in (
+    lines = (
         command(fdm, sequence=2, load_factor_cmd=1.2, frame=now - 2),  # the frame that was answered
         command(fdm, sequence=3, load_factor_cmd=1.3, frame=now - 50),
         command(fdm, sequence=4, load_factor_cmd=1.4, frame=now + 1000),
         garbled,
-    ):
+    )
+    for refused, line in enumerate(lines, 1):
         put(fdm, line)
         fdm.run()
-        refused += 1
         assert fdm["ftc/command/load-factor"] == 1.1
         assert fdm["ftc/received/refused"] == refused
     put(fdm, command(fdm, sequence=5, load_factor_cmd=1.5))

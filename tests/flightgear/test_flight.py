@@ -1,4 +1,4 @@
-"""The outer loop flies an aircraft that another program flies: good lines and bad, and time that is not even."""
+"""The outer loop flies what another program flies: good lines and bad, and time that is not even."""
 
 import math
 import subprocess
