@@ -20,7 +20,7 @@ from ftc_jsb.cli.options import (
     scenario_argument,
     set_option,
 )
-from ftc_jsb.cli.printing import message, print_json
+from ftc_jsb.cli.printing import message, note, print_json
 
 if TYPE_CHECKING:
     from ftc_jsb.runs.observers import ObserverFactory
@@ -70,8 +70,9 @@ def fly(
         refuse_code([flown.loop.name], scenario, [*overrides, loop or ""])
     observers_for: ObserverFactory = progress_for(flown, as_json)
     if flightgear is not None:
-        from ftc_jsb.flightgear.viewer import shown_to
+        from ftc_jsb.flightgear.viewer import shown_to, start_line, viewer
 
+        note(f"FlightGear looks on by: {start_line(viewer(flightgear), flown.initial)}")
         observers_for = shown_to(flightgear, flown, observers_for)
         live = live._replace(realtime=live.realtime or 1.0)
     with output.folder(flown.name) as folder:

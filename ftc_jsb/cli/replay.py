@@ -8,7 +8,7 @@ import click
 from ftc_jsb.cli.exit_codes import LIMIT_BROKEN
 from ftc_jsb.cli.live import LiveOptions, flying_beside, live_options
 from ftc_jsb.cli.options import code_option, examples, recording_argument
-from ftc_jsb.cli.printing import message
+from ftc_jsb.cli.printing import message, note
 
 
 @examples(
@@ -34,8 +34,9 @@ def replay(recording: Path, flightgear: str | None, allow_code: bool, live: Live
 
     flight = load(recording)
     if flightgear is not None:
-        from ftc_jsb.flightgear.viewer import show
+        from ftc_jsb.flightgear.viewer import show, start_line, viewer
 
+        note(f"FlightGear looks on by: {start_line(viewer(flightgear), flight.scenario.initial)}")
         show(flightgear, flight, live.realtime or 1.0)
         click.echo(f"{recording}: shown")
         return

@@ -1,4 +1,4 @@
-"""FlightGear's FGNetFDM packets of rows: where the aircraft is, how it lies, what time of day it is."""
+"""FlightGear's FGNetFDM packets of rows: where the aircraft is, and how it lies."""
 
 import math
 import struct
@@ -11,14 +11,7 @@ VERSION = 24
 # sideslip [rad]; rates and speeds; accelerations; stall, slip; engines; tanks; wheels; clock, offset,
 # visibility [m]; surfaces.
 PACKET = struct.Struct("!II3d6f11f3f2fI4I36fI4fI3I9fIif10f")
-NOON = 12.0 * 3600.0  # [s] of the day
-DAY = 1_750_000_000 // 86400 * 86400  # [s]: midnight UTC of a day in June 2025
 VISIBILITY = 40_000.0  # [m]
-
-
-def noon_at(longitude_deg: float) -> int:
-    """Unix time [s] of a noon by the sun at a longitude [deg]: the clock that FlightGear is to go by."""
-    return int(DAY + NOON - longitude_deg * 240.0)
 
 
 def packet(row: Any, initial: Initial) -> bytes:
@@ -40,8 +33,8 @@ def packet(row: Any, initial: Initial) -> bytes:
     numbers: list[float] = [VERSION, 0, math.radians(longitude), math.radians(latitude), altitude]
     numbers += [altitude, attitude[0], attitude[1], attitude[2] % (2.0 * math.pi), *angles]
     numbers += [0.0] * (11 + 3 + 2) + [0] * 5 + [0.0] * 36 + [0] + [0.0] * 4 + [0] * 4 + [0.0] * 9
-    clock = noon_at(initial.longitude_deg) + int(row["time"])
-    return PACKET.pack(*numbers, clock, 0, VISIBILITY, *[0.0] * 10)
+    # The clock is 0: FlightGear 2020.3 goes by its own (see viewer.start_line).
+    return PACKET.pack(*numbers, 0, 0, VISIBILITY, *[0.0] * 10)
 
 
 def _finite(value: Any) -> float:

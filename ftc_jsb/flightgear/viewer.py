@@ -41,6 +41,17 @@ def viewer(endpoint: str) -> Viewer:
     return Viewer(host, int(port))
 
 
+def start_line(where: Viewer, initial: Initial) -> str:
+    """Command that starts FlightGear to look on, at noon of the scenario's place.
+
+    FlightGear makes its clock from the place that it is started at, and keeps it wherever it is sent.
+    """
+    return (
+        f"fgfs --fdm=null --native-fdm=socket,in,{RATE:g},,{where.port},udp --aircraft=ufo "
+        f"--lat={initial.latitude_deg:g} --lon={initial.longitude_deg:g} --timeofday=noon"
+    )
+
+
 class Sender:
     """An observer that sends what is flown to FlightGear; it watches only."""
 
