@@ -108,7 +108,7 @@ def test_paper_scenario_is_section_5():
         ("limits.airspeed=[400]", "limits.airspeed"),
         ("compare.loops=[]", "compare.loops"),
         ("compare.models=['paper','paper']", "compare.models: an entry is given twice"),
-        ("model=glider", "model: input should be 'paper', 'identified' or 'jsbsim'"),
+        ("model=glider", "model: input should be 'paper', 'identified', 'jsbsim' or 'flightgear'"),
         ("sensors.profile=noisy", "sensors.profile: input should be 'perfect'"),
         ("name='a/b'", "name: string should match pattern"),
     ],
