@@ -193,7 +193,7 @@ def test_the_example_client(exported, tmp_path):
 
 
 def test_what_the_simulator_decides_is_refused(exported):
-    fault = "fault=[{target='airspeed', kind='bias', bias=3, start=1}]"
+    fault = "fault=[{target='airspeed', kind='bias', size=3, start=1}]"
     for override in ("wind.turbulence='light'", "sensors.profile='tactical'", fault):
         with pytest.raises(ScenarioError, match=r"^(wind|sensors|fault)\b"):
             begin(SimulatedLink(exported), override)
