@@ -12,12 +12,17 @@ SAFE = 0.9  # probability from which on a suspicion is a decision
 
 
 def suspicions(flight: Flight) -> list[dict[str, Any]]:
-    """Every change of the suspect: time [s], who, probability; "healthy" where suspicion ends."""
+    """Every change of the suspect, and every decision on one who was suspect: time [s], who, probability.
+
+    "healthy" is where suspicion ends.
+    """
     suspect = flight.record["suspect"]
     if not np.isfinite(suspect).any():
         return []
     known = np.nan_to_num(suspect).astype(int)
-    changes = np.flatnonzero(np.diff(known, prepend=NOBODY))
+    sure = np.nan_to_num(flight.record["suspect_probability"], nan=1.0) >= SAFE
+    decided = np.diff(sure.astype(int), prepend=1) == 1
+    changes = np.flatnonzero((np.diff(known, prepend=NOBODY) != 0) | (decided & (known != NOBODY)))
     return [
         {
             "time_s": float(flight.record["time"][k]),

@@ -2,9 +2,6 @@
 
 import json
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
@@ -23,11 +20,10 @@ from ftc_jsb.cli.options import (
     scenario_argument,
     set_option,
 )
-from ftc_jsb.cli.printing import message, print_json
+from ftc_jsb.cli.printing import message, note, print_json
 
 if TYPE_CHECKING:
     from ftc_jsb.runs.observers import ObserverFactory
-    from ftc_jsb.simulation.fly import Observer
 
 
 @examples(
@@ -73,19 +69,16 @@ def fly(
     if not allow_code:
         refuse_code([flown.loop.name], scenario, [*overrides, loop or ""])
     observers_for: ObserverFactory = progress_for(flown, as_json)
-    shown: AbstractContextManager[Path | None] = nullcontext()
     if flightgear is not None:
-        from ftc_jsb.flightgear.viewer import output_directive, viewer
+        from ftc_jsb.flightgear.viewer import shown_to, start_line, viewer
 
-        shown = output_directive(viewer(flightgear, flown))
-        if live.endpoint is None and live.realtime is None:
-            observers_for = _paced(observers_for, flown.loop.rate)
-        else:
-            live = live._replace(realtime=live.realtime or 1.0)
+        note(f"FlightGear looks on by: {start_line(viewer(flightgear), flown.initial)}")
+        observers_for = shown_to(flightgear, flown, observers_for)
+        live = live._replace(realtime=live.realtime or 1.0)
     with output.folder(flown.name) as folder:
         announce(flown, overrides)
-        with shown as directive, flying_beside(flown, live) as beside:
-            result = fly_and_save(flown, folder, observers_for, beside, directive)
+        with flying_beside(flown, live) as beside:
+            result = fly_and_save(flown, folder, observers_for, beside)
     for line in beside.summary() if beside is not None else ():
         message(line)
     if as_json:
@@ -102,18 +95,6 @@ def overrides_of(model: str | None, loop: str | None) -> list[str]:
     """The options --model and --loop as overrides of the scenario."""
     overrides = [f'model="{model}"'] if model else []
     return overrides + ([f"loop.name={json.dumps(loop)}"] if loop else [])
-
-
-def _paced(observers_for: "ObserverFactory", rate: float) -> "ObserverFactory":
-    """The same observers, and one that holds the flight back to real time; `rate` in Hz."""
-    from ftc_jsb.simulation.pacing import Pacer
-
-    @contextmanager
-    def paced(label: str) -> "Iterator[Sequence[Observer]]":
-        with observers_for(label) as observers:
-            yield [*observers, Pacer(rate, 1.0)]
-
-    return paced
 
 
 def exit_by(metrics: dict[str, Any]) -> NoReturn:

@@ -139,7 +139,6 @@ def _fly(
                 scenario: "Scenario",
                 observers: "Sequence[Observer]" = (),
                 commands: "CommandSource | None" = None,
-                output: Path | None = None,
             ) -> "Flight":
                 flights.append(OutsideFlight(scenario, exchange, origin, notify))
                 return flights[-1].fly(observers, commands)

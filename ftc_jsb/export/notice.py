@@ -52,8 +52,8 @@ def notice(
             "Whoever passes this folder on does so under these terms, with this notice."
         ),
         _filled(
-            "ftc-jsb's own: scripts/ and all files whose names begin with ftc_ (the tables in "
-            "systems/ftc_engine_deck.xml are the engine's): BSD 3-Clause, which may be combined with the GPL."
+            "ftc-jsb's own: scripts/, -set.xml, and all files whose names begin with ftc (the tables in "
+            "ftc_engine_deck.xml are the engine's): BSD 3-Clause, which may be combined with the GPL."
         ),
         f"CHANGED on {date} by ftc-jsb",
         _filled(

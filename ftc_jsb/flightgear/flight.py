@@ -90,6 +90,7 @@ class OutsideFlight:
         self._flying: bool | None = None
         self._delays: list[float] = []
         self._answered = 0
+        self._impulse = 0.0  # of the last line [N s]
         self._faults: dict[str, float] = {}  # of the last command
 
     @property
@@ -175,14 +176,22 @@ class OutsideFlight:
         raw = self._raw(i, line, planned, step)
         for name, value in zip(RAW, (*raw, altitude), strict=True):
             record[name][i : i + 2] = value
-        self._loop.in_force(
-            *(
-                self._value(line, f"{name}_in_force")
-                for name in ("thrust", "load_factor", "bank_angle")
-            )
-        )
+        self._loop.in_force(*self._in_force(line, step))
         self._measure_delay(line)
         return self._loop.sample(i, step, self.steering.setup)
+
+    def _in_force(self, line: Numbers, step: float) -> Triple:
+        """Thrust [N] on the average of the step that has passed, load factor and bank [rad] at its end."""
+        impulse = self._value(line, "impulse")
+        thrust = self._value(line, "thrust_in_force")
+        if self._rows > 0:
+            thrust = (impulse - self._impulse) / step
+        self._impulse = impulse
+        return (
+            thrust,
+            self._value(line, "load_factor_in_force"),
+            self._value(line, "bank_angle_in_force"),
+        )
 
     def _planned(self, t: float) -> tuple[Triple, float]:
         """Commands of the scenario and the ground station at a time [s]; altitude nan if none is commanded."""

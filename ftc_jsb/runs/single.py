@@ -30,7 +30,6 @@ def fly_and_save(
     folder: Path,
     observers_for: ObserverFactory,
     live: Live | None = None,
-    output: Path | None = None,
     flown_by: Callable[..., Flight] = fly,
 ) -> Result:
     """Fly; write `flight.nc` and `metrics.json`, also of a flight that did not end well.
@@ -42,7 +41,6 @@ def fly_and_save(
         folder: exists.
         observers_for: gives the observers.
         live: real time and ground stations.
-        output: JSBSim's output directive.
         flown_by: in place of `fly`, with its arguments.
 
     Raises:
@@ -55,10 +53,10 @@ def fly_and_save(
         while True:
             with observers_for(scenario.model) as observers:
                 if live is None:
-                    flight = flown_by(scenario, observers, output=output)
+                    flight = flown_by(scenario, observers)
                 else:
                     beside = (*observers, *live.observers)
-                    flight = flown_by(scenario, beside, commands=live.commands, output=output)
+                    flight = flown_by(scenario, beside, commands=live.commands)
             if flown:
                 path.replace(folder / f"flight-{flown}.nc")
             save_or_rescue(flight, path)

@@ -1,7 +1,6 @@
 """What a flight is made of: aircraft, plant, loop, command filter, sensors, and a blank recording."""
 
 import math
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,7 +40,6 @@ class Assembly(NamedTuple):
 def assemble(
     scenario: Scenario,
     plant: Plant | None = None,
-    output: Path | None = None,
     record: npt.NDArray[Any] | None = None,
 ) -> Assembly:
     """Plant, loop, command filter and instruments of a scenario, bound to a blank recording.
@@ -49,7 +47,6 @@ def assemble(
     Args:
         scenario: to be flown.
         plant: in place of the model's own.
-        output: as `fly` takes it.
         record: a blank recording of the same references, in place of a new one.
 
     Raises:
@@ -62,7 +59,7 @@ def assemble(
     model = aircraft.record(fuel)
     dt = 1.0 / scenario.loop.rate
     if plant is None:
-        plant = build_plant(scenario, _flown_point_mass(scenario).record(fuel), dt, output)
+        plant = build_plant(scenario, _flown_point_mass(scenario).record(fuel), dt)
     setup = LoopSetup(aircraft, aircraft.initial_mass(fuel), scenario.loop, dt, scenario.sensors)
     first = [float(record[0][f"{name}_cmd_raw"]) for name in OUTPUTS]
     start = (0.0, 0.0, scenario.initial.altitude)
@@ -92,10 +89,8 @@ def _flown_point_mass(scenario: Scenario) -> PointMass:
     return load_point_mass(aircraft_folder(name))
 
 
-def build_plant(
-    scenario: Scenario, model: npt.NDArray[Any], dt: float, output: Path | None = None
-) -> Plant:
-    """The plant of `scenario.model`; an output directive is for JSBSim."""
+def build_plant(scenario: Scenario, model: npt.NDArray[Any], dt: float) -> Plant:
+    """The plant of `scenario.model`."""
     simulation = scenario.simulation
     if scenario.model == "flightgear":
         raise ScenarioError(
@@ -111,7 +106,6 @@ def build_plant(
             simulation.jsbsim_steps,
             wind=scenario.wind,
             seed=scenario.seed,
-            output=output,
             measured=scenario.sensors.reach_inner_loop,
             point_mass=_flown_point_mass(scenario),
         )

@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Sequence
-from pathlib import Path
 
 from ftc_jsb.errors import UserError
 from ftc_jsb.interruption import interruptible
@@ -24,7 +23,6 @@ def fly(
     observers: Sequence[Observer] = (),
     plant: Plant | None = None,
     commands: CommandSource | None = None,
-    output: Path | None = None,
 ) -> Flight:
     """Fly `scenario` with its model and loop.
 
@@ -34,7 +32,6 @@ def fly(
             an attribute `coarse` that is true may be called every `advance.STRETCH` samples instead.
         plant: in place of the model's own (a user's aircraft, an independent integration).
         commands: from a ground station or a recording, applied between samples; none before row 1.
-        output: JSBSim's output directive (`flightgear.viewer`), by its absolute path.
 
     Returns:
         The flight, complete or up to where it departed, was ended or was interrupted.
@@ -44,7 +41,7 @@ def fly(
             loop that fails in flight does not raise: the flight ends there, `outcome.status` "failed".
     """
     with fenced():
-        return _fly(scenario, observers, plant, commands, output)
+        return _fly(scenario, observers, plant, commands)
 
 
 def _fly(
@@ -52,11 +49,10 @@ def _fly(
     observers: Sequence[Observer],
     plant: Plant | None,
     commands: CommandSource | None,
-    output: Path | None,
 ) -> Flight:
     with interruptible():  # nothing is flown yet
         refuse_unflyable(scenario)
-        flown = assemble(scenario, plant, output)
+        flown = assemble(scenario, plant)
         advance_rows, length = advance(flown, observers)
     record, dt = flown.record, 1.0 / scenario.loop.rate
     steering = Steering(scenario, flown)

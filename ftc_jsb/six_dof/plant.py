@@ -4,7 +4,6 @@ import math
 import struct
 from functools import partial
 from operator import call
-from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
@@ -48,7 +47,6 @@ class JsbsimPlant:
         *,
         wind: Wind | None = None,
         seed: int = 0,
-        output: Path | None = None,
         measured: bool = False,
         point_mass: PointMass | None = None,
     ) -> None:
@@ -61,7 +59,6 @@ class JsbsimPlant:
             steps: JSBSim steps a sample.
             wind: [wind] of a scenario; default: still air.
             seed: of the wind.
-            output: a JSBSim output directive, by its absolute path.
             measured: the inner loop reads what the sensors measure; otherwise the truth.
             point_mass: that the outer loop counts on, to be seen that it is of this aircraft.
         """
@@ -72,7 +69,6 @@ class JsbsimPlant:
         self._sample = dt
         self._air = wind or Wind()
         self._seed = seed
-        self._output = output
         self._measured = measured
         self._state = np.zeros(1, JSBSIM_STATE)
 
@@ -87,7 +83,7 @@ class JsbsimPlant:
         root = woven_aircraft(aircraft, corrected, self._measured)
         frame = self._sample / self._steps
         fuel = self._choice.fuel_fraction
-        fdm = trimmed(aircraft, root, frame, self._initial, fuel, output=self._output)
+        fdm = trimmed(aircraft, root, frame, self._initial, fuel)
         if self._point_mass is not None:
             check_point_mass(fdm, aircraft, self._point_mass)
         self._wind = wind_record(self._air, self._initial.altitude, self._seed, dryden=False)

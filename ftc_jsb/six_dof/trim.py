@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ftc_jsb.aircraft.description import Aircraft
-from ftc_jsb.errors import AircraftError, TrimError
+from ftc_jsb.errors import TrimError
 from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.six_dof.engines import engine_count
 from ftc_jsb.six_dof.fuel_tanks import fill_tanks
@@ -25,8 +25,6 @@ def trimmed(
     dt: float,
     initial: Initial,
     fuel_fraction: float,
-    *,
-    output: Path | None = None,
 ) -> Any:
     """A fresh `jsbsim.FGFDMExec`, trimmed, engines running; inner loop not engaged.
 
@@ -34,7 +32,6 @@ def trimmed(
         aircraft, root, dt: as for `load`.
         initial: condition to trim at.
         fuel_fraction: of internal fuel.
-        output: a JSBSim output directive, by its absolute path.
 
     Raises:
         TrimError: no trim, or one that hands-off flight leaves; with the residuals.
@@ -44,7 +41,7 @@ def trimmed(
     if condition not in _HELD:
         _check_hold(aircraft, _trim(aircraft, root, dt, initial, fuel_fraction), initial)
         _HELD.add(condition)
-    return _trim(aircraft, root, dt, initial, fuel_fraction, output)  # the same, at time zero
+    return _trim(aircraft, root, dt, initial, fuel_fraction)  # the same, at time zero
 
 
 def set_condition(aircraft: Aircraft, fdm: Any, initial: Initial, fuel_fraction: float) -> None:
@@ -75,11 +72,8 @@ def _trim(
     dt: float,
     initial: Initial,
     fuel_fraction: float,
-    output: Path | None = None,
 ) -> Any:
     fdm = load(aircraft, root, dt)
-    if output is not None and not fdm.set_output_directive(str(output)):
-        raise AircraftError(f"aircraft {aircraft.name!r}: JSBSim refuses the output {output}")
     set_condition(aircraft, fdm, initial, fuel_fraction)
     initialise(fdm, aircraft.name)
     fdm["propulsion/set-running"] = -1

@@ -43,17 +43,13 @@ def test_a_command_is_taken_once_and_in_order(fdm):
     fdm.run()
     now = fdm["simulation/frame"]
     garbled = line_of([1.0] * 27).replace(b"1.0", b"1.5", 1)
-    for refused, line in enumerate(
-        (
-            command(
-                fdm, sequence=2, load_factor_cmd=1.2, frame=now - 2
-            ),  # the frame that was answered
-            command(fdm, sequence=3, load_factor_cmd=1.3, frame=now - 50),
-            command(fdm, sequence=4, load_factor_cmd=1.4, frame=now + 1000),
-            garbled,
-        ),
-        start=1,
-    ):
+    lines = (
+        command(fdm, sequence=2, load_factor_cmd=1.2, frame=now - 2),  # the frame that was answered
+        command(fdm, sequence=3, load_factor_cmd=1.3, frame=now - 50),
+        command(fdm, sequence=4, load_factor_cmd=1.4, frame=now + 1000),
+        garbled,
+    )
+    for refused, line in enumerate(lines, 1):
         put(fdm, line)
         fdm.run()
         assert fdm["ftc/command/load-factor"] == 1.1

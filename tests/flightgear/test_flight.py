@@ -1,4 +1,4 @@
-"""The outer loop flies an aircraft that another program flies: good lines, bad ones, uneven time."""
+"""The outer loop flies what another program flies: good lines and bad, and time that is not even."""
 
 import math
 import subprocess
@@ -175,6 +175,7 @@ def test_the_example_client(exported, tmp_path):
     try:
         result = run(
             "plugin", "paper", "--attach", "127.0.0.1:5712", "--listen", "5711", "--out", "o",
+            "--mavlink", "udpout:127.0.0.1:14599", "--tlog", "t.tlog",
             "--set", "duration=12", "--set", "fault[0].start=5", cwd=tmp_path,
         )  # fmt: skip
     finally:
@@ -182,6 +183,7 @@ def test_the_example_client(exported, tmp_path):
         simulator.wait()
     assert result.returncode == 0, result.stderr
     assert "the outer loop flies" in result.stderr
+    assert b"the outer loop flies" in (tmp_path / "t.tlog").read_bytes()  # a STATUSTEXT
     flight = load(tmp_path / "o" / "flight.nc")
     assert flight.label == "flightgear-ftc"
     assert flight.outcome.status == "complete"
@@ -191,8 +193,9 @@ def test_the_example_client(exported, tmp_path):
 
 
 def test_what_the_simulator_decides_is_refused(exported):
-    for override in ("wind.turbulence='light'", "sensors.profile='fighter'"):
-        with pytest.raises(ScenarioError, match=override.partition(".")[0]):
+    fault = "fault=[{target='airspeed', kind='bias', size=3, start=1}]"
+    for override in ("wind.turbulence='light'", "sensors.profile='tactical'", fault):
+        with pytest.raises(ScenarioError, match=r"^(wind|sensors|fault)\b"):
             begin(SimulatedLink(exported), override)
 
 

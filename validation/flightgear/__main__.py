@@ -125,7 +125,11 @@ def time_as_it_is(simulator: Properties, folder: Path) -> None:
     simulator.set("/sim/speed-up", 2)
     wait_flown(simulator, 10.0)
     simulator.set("/sim/speed-up", 1)
-    judge(loop.flight(), rmse=False)
+    flight = loop.flight()
+    judge(flight, rmse=False)
+    times = flight.record["time"]
+    fast = np.diff(times)[(times[1:] > 27.0) & (times[1:] < 34.0)]
+    print(f"       at twice the rate steps of {1e3 * np.median(fast):.0f} ms in the median")
     simulator.set("/ftc/dialog/repair", 1)
 
 
@@ -163,11 +167,43 @@ def bad_line(simulator: Properties, folder: Path) -> None:
     simulator.set("/ftc/dialog/repair", 1)
 
 
+def pilot(simulator: Properties, folder: Path) -> None:
+    """A pilot takes the references, banks by the stick, gives back; FlightGear is reset in the end."""
+    print("Pilot banks by the stick at 5 s, gives back 8 s later; FlightGear is reset", flush=True)
+    level = ("reference.heading_deg=[[0,0]]", "reference.flight_path_deg=[[0,0]]")
+    loop = Loop(folder / "pilot", (LOOP, SIMULATOR), *level)
+    wait_flown(simulator, 5.0)
+    simulator.set(f"{J}/ftc/pilot/wanted", 1)
+    time.sleep(1.0)
+    before = simulator.get("/controls/flight/aileron")
+    simulator.set("/controls/flight/aileron", before + 0.5)
+    wait_flown(simulator, 2.0)
+    simulator.set("/controls/flight/aileron", before)
+    wait_flown(simulator, 6.0)
+    asked = float(np.degrees(simulator.get(f"{J}/ftc/pilot/bank-rad")))
+    print(f"       the stick has asked for {asked:.1f} deg of bank", flush=True)
+    achieved = float(np.degrees(simulator.get(f"{J}/ftc/bank/actual")))
+    check("bank off what was asked for [deg]", abs(achieved - asked), 1.5)
+    check("the stick asked for less than 15 deg", float(abs(asked) < 15.0), 0)
+    simulator.set(f"{J}/ftc/pilot/wanted", 0)
+    wait_flown(simulator, 15.0)
+    simulator.run("reset")
+    flight = loop.flight()
+    check("flight did not end by the reset", float("reset" not in flight.outcome.reason), 0)
+    record = flight.record
+    rate = np.degrees(np.abs(np.diff(record["bank_angle_cmd"]) / np.diff(record["time"])))
+    error = np.abs(record["airspeed"] - record["airspeed_ref"]).max()
+    print(
+        f"       fastest bank command {rate.max():.0f} deg/s, airspeed off by {error:.2f} m/s at most"
+    )
+
+
 FLIGHTS = {
     "paper": paper,
     "time": time_as_it_is,
     "killed": killed_and_restarted,
     "bad-line": bad_line,
+    "pilot": pilot,
 }
 
 

@@ -51,6 +51,10 @@ class Properties:
         """A number, or a text."""
         self._say(f"set {name} {value}")
 
+    def run(self, command: str) -> None:
+        """A command of FlightGear's own."""
+        self._say(f"run {command}")
+
 
 @contextmanager
 def screen(size: str) -> Iterator[str]:

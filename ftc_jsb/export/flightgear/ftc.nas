@@ -43,10 +43,9 @@ var stick = {
     lever: func { 4 * (getprop("/controls/engines/engine/throttle") or 0) },
 };
 
-var hand_over = func {
-    foreach (var axis; keys(stick)) zero[axis] = stick[axis]();
-    set("pilot/wanted", get("pilot/wanted") ? 0 : 1);
-}
+var had = 0;
+
+var hand_over = func { set("pilot/wanted", get("pilot/wanted") ? 0 : 1); }
 
 var switch_outer_loop = func { set("outer-loop/on", get("outer-loop/on") ? 0 : 1); }
 
@@ -101,6 +100,9 @@ var tell = func {
 }
 
 var tick = func {
+    var has = get("pilot/wanted");
+    if (!has or !had) foreach (var axis; keys(stick)) zero[axis] = stick[axis]();
+    had = has;
     foreach (var axis; keys(stick)) {
         var moved = stick[axis]() - zero[axis];
         set("pilot/" ~ axis, math.abs(moved) < DEAD ? 0 : math.clamp(moved, -1, 1));

@@ -131,6 +131,7 @@ def measured_fields(aircraft: Aircraft, engines: int) -> tuple[Field, ...]:
         Field("thrust_in_force", "ftc/command/thrust-n", "thrust command that is in force [N]"),
         Field("load_factor_in_force", "ftc/command/load-factor", "load factor in force"),
         Field("bank_angle_in_force", "ftc/command/bank-rad", "bank angle in force [rad]"),
+        Field("impulse", "ftc/exchange/impulse-n-s", "thrust command in force, over time [N s]"),
         Field("sequence", f"{RECEIVED}/sequence", "of the last line that was accepted; 0 = none"),
         Field("answered", f"{RECEIVED}/frame", "frame that it answers"),
         Field("accepted_frame", f"{RECEIVED}/at-frame", "frame at which it was accepted"),
