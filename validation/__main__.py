@@ -2,10 +2,10 @@
 
 import datetime
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.errors import UserError
 from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.load import load_scenario, scenario_names
-from validation import instruments, margins, missions, transports
+from validation import envelope, instruments, isolation, margins, missions, transports
 from validation.campaigns import robustness_section
 from validation.cost import cost_table, long_flights
 from validation.fighters import SCENARIOS, fighters_table
@@ -132,16 +132,17 @@ def random_table(count: int) -> Iterator[str]:
     yield f"\n{good} of {count} flights stayed inside every limit."
 
 
-def main() -> int:
-    """Fly everything and write the page."""
-    made = ", ".join(f"{name} {version}" for name, version in versions().items())
-    lines = [
-        "# Validation",
-        "",
-        f"Made by `make validate` on {datetime.datetime.now(datetime.UTC).date()} with {made}.",
-        "What each number means is in [the scenario guide](scenarios.md#metrics).",
-    ]
-    for title, words, rows in (
+class Section(NamedTuple):
+    """A part of the page: what is flown, and the lines that it gives."""
+
+    title: str
+    words: str
+    lines: Callable[[], Iterator[str]]
+
+
+SECTIONS = tuple(
+    Section(*each)
+    for each in (
         (
             "Every shipped scenario on every model",
             "The estimate is judged outside the first 2 s and 2 s after each fault step. Fighters, transports, "
@@ -188,6 +189,8 @@ def main() -> int:
             fighters_robust_table,
         ),
         (instruments.TITLE, instruments.WORDS, instruments.instruments_table),
+        (isolation.TITLE, isolation.WORDS, isolation.table),
+        (envelope.TITLE, envelope.WORDS, envelope.envelope_section),
         (missions.TITLE, missions.WORDS, missions.missions_section),
         (
             "Hours without a fault",
@@ -264,16 +267,55 @@ def main() -> int:
             "after 35 min.",
             long_flights,
         ),
-    ):
-        print(title, file=sys.stderr)
-        lines += ["", f"## {title}", "", words, "", *rows()]
-    TARGET.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    )
+)
+
+
+def section(each: Section, day: str) -> str:
+    """Fly a section; its part of the page."""
+    print(each.title, file=sys.stderr, flush=True)
+    return "\n".join([f"## {each.title}", "", each.words, day, "", *each.lines()]) + "\n"
+
+
+def main(wanted: list[str]) -> int:
+    """Fly everything, or the sections whose titles hold a part that is wanted, and write the page.
+
+    Args:
+        wanted: parts of titles; none: everything.
+
+    Returns:
+        Exit code: 2 where no title holds any of them.
+    """
+    chosen = [
+        s for s in SECTIONS if not wanted or any(w.lower() in s.title.lower() for w in wanted)
+    ]
+    if not chosen:
+        print(f"{wanted}: no section of that name; expected a part of one of:", file=sys.stderr)
+        print("\n".join(each.title for each in SECTIONS), file=sys.stderr)
+        return 2
+    today = datetime.datetime.now(datetime.UTC).date()
+    made = ", ".join(f"{name} {version}" for name, version in versions().items())
+    parts = {}
+    if wanted and TARGET.is_file():
+        for part in TARGET.read_text(encoding="utf-8").split("\n## ")[1:]:
+            parts[part.partition("\n")[0]] = f"## {part.rstrip()}\n"
+    for each in chosen:
+        parts[each.title] = section(each, f"(Flown on {today}.)")
+    lines = [
+        "# Validation",
+        "",
+        f"Made by `make validate`, or by `python -m validation TITLE` for a section; last with {made}.",
+        "What each number means is in [the scenario guide](scenarios.md#metrics).",
+        "",
+    ]
+    page = "\n".join(lines) + "\n" + "\n".join(parts[s.title] for s in SECTIONS if s.title in parts)
+    TARGET.write_text(page, encoding="utf-8")
     print(f"Written: {TARGET}")
     return 0
 
 
 if __name__ == "__main__":
     try:
-        sys.exit(main())
+        sys.exit(main(sys.argv[1:]))
     except UserError as error:
         sys.exit(str(error))

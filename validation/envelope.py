@@ -28,6 +28,13 @@ AIRSPEEDS = {
 }
 ALTITUDES = (2500.0, 7500.0)  # [m]
 DURATION = 60.0  # [s]
+COUNT, SEED = 500, 31
+TITLE = "Flown hard, healthy, in still air"
+WORDS = (
+    f"{COUNT} pushovers, pull-ups, bunts into a turn and reversals of the five fighters (`python -m "
+    f"validation.envelope {COUNT} {SEED}`), loop `ftc`. Unclean: on its back, departed, slipping or low, by a "
+    "judge of the recording that shares no code with the verdict."
+)
 
 Points = list[list[float]]
 
@@ -105,8 +112,8 @@ def judgement(flight: Flight) -> list[str]:
     return [name for name, is_so in found.items() if is_so]
 
 
-def sweep(count: int, seed: int) -> None:
-    """Fly, judge, print."""
+def sweep(count: int, seed: int) -> Counter[str]:
+    """Fly, judge, print what is not clean."""
     tally: Counter[str] = Counter()
     for number, (kind, overrides) in enumerate(cases(count, seed)):
         try:
@@ -116,15 +123,24 @@ def sweep(count: int, seed: int) -> None:
             continue
         wrong, metrics = judgement(flight), flight_metrics(flight)
         tally[kind] += 1
-        tally[metrics["verdict"]] += 1
+        tally[f"verdict: {metrics['verdict']}"] += 1
         tally["judged unclean"] += bool(wrong)
         flattered = bool(wrong) and metrics["verdict"] == "inside limits"
         tally["unclean and inside limits"] += flattered
         if wrong:
             print(f"{number}: {kind}: {', '.join(wrong)}; verdict {metrics['verdict']}")
             print("   ", " ".join(f"--set '{override}'" for override in overrides), flush=True)
-    print(", ".join(f"{name}: {times}" for name, times in sorted(tally.items())))
+    return tally
+
+
+def envelope_section() -> Iterator[str]:
+    """The tally of COUNT flights."""
+    yield "| | flights |"
+    yield "|---|---|"
+    for name, times in sorted(sweep(COUNT, SEED).items()):
+        yield f"| {name} | {times} |"
 
 
 if __name__ == "__main__":
-    sweep(int(sys.argv[1]), int(sys.argv[2]))
+    found = sweep(int(sys.argv[1]), int(sys.argv[2]))
+    print(", ".join(f"{name}: {times}" for name, times in sorted(found.items())))
