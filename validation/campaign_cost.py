@@ -14,7 +14,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ftc_jsb.campaign.case import Bases, case_of, scenario_of_case
+from ftc_jsb.campaign.case import Bases, case_of, flights_of, scenario_of_case
 from ftc_jsb.campaign.cluster import connected
 from ftc_jsb.campaign.flights import Item, fly_items
 from ftc_jsb.campaign.load import load_campaign
@@ -48,7 +48,7 @@ def case_over_flight(name: str, count: int = 40) -> float:
     work = work_of(bases, "none")
     ratios = []
     for number in range(count):
-        scenario = scenario_of_case(case_of(bases, number), None, "ftc")
+        scenario = scenario_of_case(case_of(bases, number), *flights_of(bases)[0])
         times = []
         for one in (lambda s=scenario: fly(s), lambda n=number: fly_items(work, [Item(n)])) * 2:
             started = time.perf_counter()
