@@ -18,6 +18,18 @@ from ftc_jsb.simulation.sample import perceive, sample_step
 
 MATRICES = ("transition", "from_now", "from_next")
 
+EVEN_STEP = 0.05  # [s]: up to here the filter's own covariances hold
+THIRD = 1.0  # [m/s^4]: a twelfth of the second derivative of drag over mass in a brisk roll
+
+
+def rule_error(step: float) -> float:
+    """Airspeed [m/s] by which a long step may be off: drag is taken as the mean of its ends.
+
+    The error of the trapezoid rule goes by the third power of the step; where pictures or lines are missing
+    it would be taken for a loss of thrust.
+    """
+    return THIRD * max(step**3 - EVEN_STEP**3, 0.0)
+
 
 class MeasuredStep:
     """Takes samples of a flight's loop, each with the time that has passed since the one before.
@@ -96,4 +108,5 @@ class MeasuredStep:
             settings = loop_settings(setup._replace(dt=step), self._flown.model)
             if not tuned_by_sensors(setup.settings):  # Q is given a sample of loop.rate
                 settings["process_noise"] *= step * setup.settings.rate
+            settings["process_noise"][0][0] += rule_error(step) ** 2
             loop.arrays.settings[:] = settings
