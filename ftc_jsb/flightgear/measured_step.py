@@ -7,11 +7,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.compiled import direct
+from ftc_jsb.compiled import compiled, direct
 from ftc_jsb.control.command_filter import command_filter
 from ftc_jsb.control.protocol import LoopSetup
+from ftc_jsb.control.records import LoopArrays
 from ftc_jsb.loops.built_in import CompiledLoop, loop_settings, tuned_by_sensors
 from ftc_jsb.point_mass.dynamics import velocity
+from ftc_jsb.point_mass.model import at_condition
+from ftc_jsb.point_mass.thrust import healthy_thrust, rotor_speed_target
 from ftc_jsb.scenario.reference import Reference
 from ftc_jsb.simulation.assembly import Assembly
 from ftc_jsb.simulation.sample import perceive, sample_step
@@ -29,6 +32,15 @@ def rule_error(step: float) -> float:
     it would be taken for a loss of thrust.
     """
     return THIRD * max(step**3 - EVEN_STEP**3, 0.0)
+
+
+@compiled
+def engine_at(loop: LoopArrays, thrust: float) -> None:
+    """Settled rotor and thrust of the observer's healthy engine at a command [N]."""
+    m, x = loop.model[0], loop.state[0]
+    at = at_condition(m, x.known.state[0], x.known.altitude)
+    x.observer.rotor_speed = rotor_speed_target(at, thrust)
+    x.observer.thrust = healthy_thrust(at, x.observer.rotor_speed, thrust)
 
 
 class MeasuredStep:
@@ -89,6 +101,13 @@ class MeasuredStep:
             self._perceive(self._flown.inputs, i - 1)  # with the step that it was
         self._before = (self._filters.copy(), self._hold.copy())
         return self._decide(i)
+
+    def start_engine(self, thrust: float) -> None:
+        """The engine that the loop imagines runs at the thrust [N] in force, not at that of level flight."""
+        loop = self._flown.loop
+        if isinstance(loop, CompiledLoop):
+            given = (loop.arrays, thrust)
+            direct(engine_at, *given)(*given)
 
     def in_force(self, thrust: float, load_factor: float, bank_angle: float) -> None:
         """What the aircraft was commanded since the last sample: the filter's input [N], -, [rad]."""
