@@ -169,27 +169,34 @@ def _simulator(
     from ftc_jsb.flightgear.exchange import Exchange
     from ftc_jsb.flightgear.link import SimulatorLink
     from ftc_jsb.flightgear.outside_aircraft import LineFields
+    from ftc_jsb.flightgear.program import find_program
 
     there = _address(options.attach) if options.attach else ("127.0.0.1", PORTS[1])
+    program = "" if options.attach else find_program(options.program)
     with ExitStack() as stack:
         link = SimulatorLink(("127.0.0.1" if _local(there) else "", options.listen), there)
         stack.callback(link.close)
         gone: Callable[[], str] = _there
         if options.attach is None:
-            gone = stack.enter_context(_started(scenario, options, folder, (link.port, there[1])))
+            gone = stack.enter_context(
+                _started(scenario, program, options.fgfs_options, folder, (link.port, there[1]))
+            )
         yield Exchange(link, LineFields(scenario.aircraft), gone)
 
 
 @contextmanager
 def _started(
-    scenario: "Scenario", options: SimulatorOptions, folder: Path, ports: tuple[int, int]
+    scenario: "Scenario",
+    program: str,
+    given: "Sequence[str]",
+    folder: Path,
+    ports: tuple[int, int],
 ) -> "Iterator[Callable[[], str]]":
     """FlightGear with the exported aircraft; gives why it is gone, "" while it runs."""
     from ftc_jsb.aircraft.description import load_aircraft
     from ftc_jsb.export.flightgear.aircraft_folder import aircraft_name, export_flightgear
-    from ftc_jsb.flightgear.program import data_folder, find_program, running, start_options
+    from ftc_jsb.flightgear.program import data_folder, running, start_options
 
-    program = find_program(options.program)
     root = data_folder(program)
     aircraft = load_aircraft(scenario.aircraft.name)
     with tempfile.TemporaryDirectory(prefix="ftc-jsb-flightgear-") as temporary:
@@ -197,7 +204,7 @@ def _started(
         export_flightgear(aircraft, scenario.aircraft, place)
         arguments = start_options(place, aircraft_name(aircraft), scenario.initial, root, ports)
         log = folder / "fgfs.log"
-        with running(program, [*arguments, *options.fgfs_options], log) as process:
+        with running(program, [*arguments, *given], log) as process:
             yield lambda: "" if process.poll() is None else f"FlightGear has ended; see {log}"
 
 

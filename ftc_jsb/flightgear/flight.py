@@ -178,7 +178,10 @@ class OutsideFlight:
             record[name][i : i + 2] = value
         self._loop.in_force(*self._in_force(line, step))
         self._measure_delay(line)
-        return self._loop.sample(i, step, self.steering.setup)
+        reason = self._loop.sample(i, step, self.steering.setup)
+        if i == 0:
+            self._loop.start_engine(self._value(line, "thrust_in_force"))
+        return reason
 
     def _in_force(self, line: Numbers, step: float) -> Triple:
         """Thrust [N] on the average of the step that has passed, load factor and bank [rad] at its end."""

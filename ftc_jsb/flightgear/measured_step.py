@@ -7,16 +7,40 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ftc_jsb.compiled import direct
+from ftc_jsb.compiled import compiled, direct
 from ftc_jsb.control.command_filter import command_filter
 from ftc_jsb.control.protocol import LoopSetup
+from ftc_jsb.control.records import LoopArrays
 from ftc_jsb.loops.built_in import CompiledLoop, loop_settings, tuned_by_sensors
 from ftc_jsb.point_mass.dynamics import velocity
+from ftc_jsb.point_mass.model import at_condition
+from ftc_jsb.point_mass.thrust import healthy_thrust, rotor_speed_target
 from ftc_jsb.scenario.reference import Reference
 from ftc_jsb.simulation.assembly import Assembly
 from ftc_jsb.simulation.sample import perceive, sample_step
 
 MATRICES = ("transition", "from_now", "from_next")
+
+EVEN_STEP = 0.05  # [s]: up to here the filter's own covariances hold
+THIRD = 1.0  # [m/s^4]: a twelfth of the second derivative of drag over mass in a brisk roll
+
+
+def rule_error(step: float) -> float:
+    """Airspeed [m/s] by which a long step may be off: drag is taken as the mean of its ends.
+
+    The error of the trapezoid rule goes by the third power of the step; where pictures or lines are missing
+    it would be taken for a loss of thrust.
+    """
+    return THIRD * max(step**3 - EVEN_STEP**3, 0.0)
+
+
+@compiled
+def engine_at(loop: LoopArrays, thrust: float) -> None:
+    """Settled rotor and thrust of the observer's healthy engine at a command [N]."""
+    m, x = loop.model[0], loop.state[0]
+    at = at_condition(m, x.known.state[0], x.known.altitude)
+    x.observer.rotor_speed = rotor_speed_target(at, thrust)
+    x.observer.thrust = healthy_thrust(at, x.observer.rotor_speed, thrust)
 
 
 class MeasuredStep:
@@ -78,6 +102,13 @@ class MeasuredStep:
         self._before = (self._filters.copy(), self._hold.copy())
         return self._decide(i)
 
+    def start_engine(self, thrust: float) -> None:
+        """The engine that the loop imagines runs at the thrust [N] in force, not at that of level flight."""
+        loop = self._flown.loop
+        if isinstance(loop, CompiledLoop):
+            given = (loop.arrays, thrust)
+            direct(engine_at, *given)(*given)
+
     def in_force(self, thrust: float, load_factor: float, bank_angle: float) -> None:
         """What the aircraft was commanded since the last sample: the filter's input [N], -, [rad]."""
         loop = self._flown.loop
@@ -96,4 +127,5 @@ class MeasuredStep:
             settings = loop_settings(setup._replace(dt=step), self._flown.model)
             if not tuned_by_sensors(setup.settings):  # Q is given a sample of loop.rate
                 settings["process_noise"] *= step * setup.settings.rate
+            settings["process_noise"][0][0] += rule_error(step) ** 2
             loop.arrays.settings[:] = settings
