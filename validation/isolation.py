@@ -353,8 +353,8 @@ def residual_means(job: tuple[str, str, int]) -> npt.NDArray[np.float64]:
                 if seen >= blocks:
                     look_back(windows, span)
                 else:
-                    windows["mean"][span] = math.nan
-            found.append(np.array(windows["mean"]))
+                    windows["means"][span] = math.nan
+            found.append(np.array(windows["means"]))
     flown.plant.close()
     return np.array(found)
 

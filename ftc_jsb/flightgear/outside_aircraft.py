@@ -11,7 +11,7 @@ from ftc_jsb.aircraft.point_mass_file import load_point_mass
 from ftc_jsb.compiled import direct
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.scenario.schema import AircraftChoice, Initial, Scenario
-from ftc_jsb.six_dof.exchange.fields import FAULTS, measured_fields
+from ftc_jsb.six_dof.exchange.fields import FAULTS, LOAD_FACTORS, measured_fields
 from ftc_jsb.six_dof.observation import JSBSIM_STATE, POSITION_NAMES, PROPERTIES, observe
 from ftc_jsb.units import FOOT
 from ftc_jsb.vocabulary.channels import ENGINES
@@ -77,6 +77,9 @@ class OutsideAircraft:
     def truth(self, i: int) -> None:
         """Write state and faults of the line to row `i`."""
         self._raw[:] = self._line[self._observed]
+        weight = self._raw[PROPERTIES.index("inertia/weight-lbs")]
+        for name, (_, sense) in LOAD_FACTORS.items():
+            self._raw[PROPERTIES.index(name)] *= sense * weight
         self._observe(self._raw, self._state, self._record, i)
         row = self._record[i]
         for name, value in zip(FAULTS, self._line[self._faults], strict=True):

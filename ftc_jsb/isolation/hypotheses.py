@@ -57,7 +57,7 @@ def weigh(s: IsolationSettings, x: IsolationState) -> None:
     if most >= 0:
         x.unexplained = -best
         for k in range(RESIDUALS):
-            x.unexplained += 0.5 * w.mean[most, k] ** 2 / variance(s, w, most, k)
+            x.unexplained += 0.5 * w.means[most, k] ** 2 / variance(s, w, most, k)
 
 
 @compiled
@@ -76,11 +76,11 @@ def likelihood_ratio(s: IsolationSettings, x: IsolationState, span: int, row: in
             expected = x.signature[row, k] * _come(row, k, SPANS[span] * BLOCK)
         if expected != 0.0:
             v = variance(s, w, span, k)
-            along += expected * w.mean[span, k] / v
+            along += expected * w.means[span, k] / v
             square += expected * expected / v
     if square == 0.0 or (row == THRUST_ROW and along < 0.0):
         return 0.0
-    square += 1.0 / s.size[row] ** 2
+    square += 1.0 / s.sizes[row] ** 2
     x.amplitude[row] = along / square
     return float(0.5 * along * along / square)
 

@@ -138,11 +138,11 @@ def isolate(
         x.wait -= dt
         return
     for k in range(RESIDUALS):
-        w.sum[k] += x.residual[k]
+        w.total[k] += x.residual[k]
     w.filled += 1
     if w.filled * dt > BLOCK - 0.5 * dt:
         add_block(w, x.navigation.wind, effectiveness, thrust / m.mass)
-        signatures(m, at, thrust, s.size, x)
+        signatures(m, at, thrust, s.sizes, x)
         weigh(s, x)
         _decide(s, x)
 

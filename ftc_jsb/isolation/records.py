@@ -33,7 +33,7 @@ ISOLATION_SETTINGS = np.dtype(
         ("gust", float, (len(SPANS), RESIDUALS)),  # what moderate turbulence adds
         ("start", float, (RESIDUALS,)),  # variance of what they are off by in a flight
         ("noise", float, (COUNT,)),  # standard deviation of readings; 0 = perfect
-        ("size", float, (ROWS,)),  # of faults that have to be reckoned with, standard deviation
+        ("sizes", float, (ROWS,)),  # of faults that have to be reckoned with, standard deviation
         ("stale", float, (COUNT,)),  # [s] for which a reading that lives cannot stay the same
         ("tolerance", float, (COUNT,)),  # within which an excluded one agrees again
         ("position_lag", float, (3,)),  # [s] of north, east, altitude
@@ -57,7 +57,7 @@ NAVIGATION = np.dtype(
 )
 WINDOWS = np.dtype(
     [
-        ("sum", float, (RESIDUALS,)),  # of the block that is being filled
+        ("total", float, (RESIDUALS,)),  # of the block that is being filled
         ("filled", np.int64),  # samples of it
         ("blocks", float, (LONGEST, RESIDUALS)),  # a ring of their means
         ("winds", float, (LONGEST, 3)),  # lasting wind at the time [m/s]
@@ -73,7 +73,7 @@ WINDOWS = np.dtype(
         ("slip_drag", float),  # deceleration by drag, per rad of sideslip [m/s^2]
         ("thrust", float),  # of the model over mass, lagged [m/s^2]
         ("transient", float),  # of it [m/s^2]
-        ("mean", float, (len(SPANS), RESIDUALS)),  # of each span, less the baseline
+        ("means", float, (len(SPANS), RESIDUALS)),  # of each span, less the baseline
     ]
 )
 ISOLATION = np.dtype(

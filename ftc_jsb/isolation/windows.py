@@ -28,7 +28,7 @@ def empty_windows(w: Windows) -> None:
     w.gust = 1.0
     w.thrust, w.transient = math.nan, 0.0
     for k in range(RESIDUALS):
-        w.sum[k], w.baseline[k] = 0.0, 0.0
+        w.total[k], w.baseline[k] = 0.0, 0.0
 
 
 @compiled
@@ -48,7 +48,7 @@ def add_block(w: Windows, wind: Vector, effectiveness: float, thrust: float) -> 
         thrust: of the model over mass [m/s^2].
     """
     for k in range(RESIDUALS):
-        w.sum[k] /= w.filled
+        w.total[k] /= w.filled
     place = w.next
     if w.count >= LONGEST:
         share = max(1.0 / MEMORY, 1.0 / (w.learned + 1.0 + PRIOR))
@@ -58,8 +58,8 @@ def add_block(w: Windows, wind: Vector, effectiveness: float, thrust: float) -> 
     if w.count >= GUST_STEP:
         _feel_gusts(w, place)
     for k in range(RESIDUALS):
-        w.blocks[place, k] = w.sum[k]
-        w.sum[k] = 0.0
+        w.blocks[place, k] = w.total[k]
+        w.total[k] = 0.0
     for k in range(3):
         w.winds[place, k] = wind[k]
     w.estimates[place] = effectiveness
@@ -79,20 +79,20 @@ def _feel_gusts(w: Windows, place: int) -> None:
     before = (place - GUST_STEP + LONGEST) % LONGEST
     power = 0.0
     for k in range(AIR_X, AIR_X + 3):
-        change = w.sum[k] - w.blocks[before, k]
+        change = w.total[k] - w.blocks[before, k]
         power += min(change * change, 9.0 * max(w.gust, 0.05) * GUST_CHANGE) / 3.0
     w.gust += (power / GUST_CHANGE - w.gust) / GUST_MEMORY
 
 
 @compiled
 def look_back(w: Windows, span: int) -> None:
-    """Means over the last blocks of a span: residuals less their baseline to `w.mean`, and thrust."""
+    """Means over the last blocks of a span: residuals less their baseline to `w.means`, and thrust."""
     blocks = SPANS[span]
     for k in range(RESIDUALS):
         total = 0.0
         for b in range(1, blocks + 1):
             total += w.blocks[(w.next - b + LONGEST) % LONGEST, k]
-        w.mean[span, k] = total / blocks - w.baseline[k]
+        w.means[span, k] = total / blocks - w.baseline[k]
     total = 0.0
     for b in range(1, blocks + 1):
         total += w.thrusts[(w.next - b + LONGEST) % LONGEST]
@@ -115,7 +115,7 @@ def variance(s: IsolationSettings, w: Windows, span: int, k: int) -> float:
         if (
             w.side_slope > 0.0
         ):  # side force that is wrong tells of a sideslip that is wrong, and of its drag
-            total += (w.slip_drag * w.mean[span, SIDE] / w.side_slope) ** 2
-        bent = BENT * STANDARD_GRAVITY * w.mean[span, LIFT]
+            total += (w.slip_drag * w.means[span, SIDE] / w.side_slope) ** 2
+        bent = BENT * STANDARD_GRAVITY * w.means[span, LIFT]
         total += (TRANSIENT_SHARE * w.transient) ** 2 + bent * bent
-    return float(total + (INEXACT * w.mean[span, k]) ** 2)
+    return float(total + (INEXACT * w.means[span, k]) ** 2)

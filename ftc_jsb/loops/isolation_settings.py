@@ -106,9 +106,9 @@ def isolation_settings(
         period = 1.0 / errors.rate if errors.rate > 0.0 else dt
         s["stale"][index] = max(STALE, STALE_PERIODS * period)
         s["tolerance"][index] = TOLERANCE[name] * unit
-        s["size"][index] = SIZE[name] * unit
-    s["size"][DRIFT_ROW:THRUST_ROW] = s["size"][SENSED.index("roll")]
-    s["size"][THRUST_ROW] = 1.0
+        s["sizes"][index] = SIZE[name] * unit
+    s["sizes"][DRIFT_ROW:THRUST_ROW] = s["sizes"][SENSED.index("roll")]
+    s["sizes"][THRUST_ROW] = 1.0
     s["position_lag"] = [sensors[name].delay for name in ("north", "east", "altitude")]
     late = sensors["roll"].delay - sensors["roll_rate"].delay
     s["gyro_lead"] = min(max(late / dt + 0.5, 0.0), 1.0)

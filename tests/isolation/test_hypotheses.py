@@ -45,9 +45,9 @@ def state() -> Any:
 def fill(state: Any, blocks: int, residuals: dict[int, float]) -> None:
     windows = state["windows"]
     for _ in range(blocks):
-        windows["sum"][:] = 0.0
+        windows["total"][:] = 0.0
         for k, value in residuals.items():
-            windows["sum"][k] = value
+            windows["total"][k] = value
         windows["filled"] = 1
         add_block(windows, np.zeros(3), 1.0, THRUST)
 

@@ -64,6 +64,14 @@ COMMANDED = (  # from the outer loop to the simulator; `check` follows
 )
 CHECK = Field("check", f"{LINK}/check", "sum of every field times its place, from 1")
 
+# A system of the aircraft, which writes the line, sees forces before the frame has made them
+LOAD_FACTORS = {  # property that is observed: property of the line, times weight
+    "forces/fbx-total-lbs": ("accelerations/Nx", 1.0),
+    "forces/fby-total-lbs": ("accelerations/Ny", 1.0),
+    "forces/fbz-total-lbs": ("accelerations/Nz", -1.0),
+}
+EXCHANGED = tuple(LOAD_FACTORS[name][0] if name in LOAD_FACTORS else name for name in PROPERTIES)
+
 _MEANINGS = {
     "velocities/vt-fps": "true airspeed [ft/s]",
     "velocities/mach": "Mach number",
@@ -116,7 +124,7 @@ def measured_fields(aircraft: Aircraft, engines: int) -> tuple[Field, ...]:
         Field("frame", "simulation/frame", "frames that JSBSim has flown: the line's number"),
         Field("time", "simulation/sim-time-sec", "simulation time [s]"),
         Field("frame_time", "simulation/dt", "time of a frame [s]"),
-        *(Field(name.rpartition("/")[2], name, _MEANINGS[name]) for name in PROPERTIES),
+        *(Field(name.rpartition("/")[2], name, _MEANINGS[name]) for name in EXCHANGED),
         *(
             Field(
                 name, observed(aircraft, getattr(aircraft.positions, name)), f"position of {name}"
