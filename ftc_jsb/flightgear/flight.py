@@ -122,8 +122,10 @@ class OutsideFlight:
             with interruptible():
                 while True:
                     answer: Received | None = None
-                    self._exchange.check_alive(SILENCE)
-                    for received in self._exchange.receive(WAKE, least):
+                    came = self._exchange.receive(WAKE, least)
+                    if not came:  # asked after what waits is read: the first sample may have compiled for long
+                        self._exchange.check_alive(SILENCE)
+                    for received in came:
                         outcome = self._sample(received, observers, commands)
                         if outcome is not None:
                             return outcome
