@@ -12,7 +12,13 @@ from ftc_jsb.compiled import direct
 from ftc_jsb.resources import aircraft_folder
 from ftc_jsb.scenario.schema import AircraftChoice, Initial, Scenario
 from ftc_jsb.six_dof.exchange.fields import FAULTS, LOAD_FACTORS, measured_fields
-from ftc_jsb.six_dof.observation import JSBSIM_STATE, POSITION_NAMES, PROPERTIES, observe
+from ftc_jsb.six_dof.observation import (
+    JSBSIM_STATE,
+    POSITION_NAMES,
+    PROPERTIES,
+    observe,
+    place_origin,
+)
 from ftc_jsb.units import FOOT
 from ftc_jsb.vocabulary.channels import ENGINES
 
@@ -56,18 +62,9 @@ class OutsideAircraft:
     def reset(self, record: npt.NDArray[Any]) -> None:
         """Bind the recording; the tangent plane is where the aircraft was at the line of the origin."""
         self._record = record
-        state, initial = self._state[0], self._initial
         place = self._fields.slice("ecef-x-ft", 3)
-        state["origin"] = [number * FOOT for number in self._origin[place]]
-        latitude = math.radians(initial.latitude_deg)
-        longitude = math.radians(initial.longitude_deg)
-        state["north"] = (
-            -math.sin(latitude) * math.cos(longitude),
-            -math.sin(latitude) * math.sin(longitude),
-            math.cos(latitude),
-        )
-        state["east"] = (-math.sin(longitude), math.cos(longitude), 0.0)
-        state["heading"] = state["yaw"] = math.radians(initial.heading_deg)
+        origin = [number * FOOT for number in self._origin[place]]
+        place_origin(self._state[0], self._initial, origin)
         self._observe = direct(observe, self._raw, self._state, record, 0)
 
     def read(self, numbers: Numbers) -> None:

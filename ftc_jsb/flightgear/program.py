@@ -17,7 +17,7 @@ PROGRAM = "fgfs"
 PLACES = ("/usr/games",)  # where a PATH may not lead
 EXCHANGE_RATE = 120  # [Hz], at most; FlightGear exchanges once a frame of its picture
 STOP = 10.0  # [s] until it is killed
-STILL_AIR = "XXXX 012345Z 00000KT 9999 CLR 15/05 Q1013 NOSIG"  # standard atmosphere
+STILL_AIR = "XXXX 012345Z 00000KT 9999 CLR 15/05 Q1013 NOSIG"  # METAR of no station: standard air
 # What a flight does not need, and may be in its way.
 QUIET = (
     "--disable-sound",

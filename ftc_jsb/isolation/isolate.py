@@ -12,6 +12,7 @@ from ftc_jsb.isolation.navigation import (
     start_navigation,
     to_body,
     turn_by_gyros,
+    wrapped,
 )
 from ftc_jsb.isolation.records import (
     ACCEPTED,
@@ -59,9 +60,7 @@ from ftc_jsb.vocabulary.kernel_types import (
 
 SURE = 0.95  # probability of one hypothesis
 SURE_OF_THRUST = 0.9  # nothing is excluded by it
-CONFIRMED = (
-    6.0  # [s] since a loss of thrust: positions have long told what accelerometers are worth
-)
+CONFIRMED = 6.0  # [s] since a loss of thrust: positions have long told of accelerometers
 LONG = 2.0  # [s]: then the most probable one has to do
 RECOVERY = 2.0  # [s] of the effectiveness after an instrument's fault
 APART_LAG = 3.0  # [s]
@@ -182,14 +181,12 @@ def _see_residuals(
             air[2] + n.wind[2] - n.velocity[2],
         ),
     )
+    alone = _gyro_excluded(x)
     for k in range(3):
         x.residual[INERTIAL_X + k] = -n.acceleration[k]
         x.residual[AIR_X + k] = through[k]
-        x.residual[GYRO_X + k] = gyros[k]
-        if _gyro_excluded(
-            x
-        ):  # the attitude, which its stand-in comes from, cannot judge the others as well
-            x.residual[GYRO_X + k] = 0.0
+        # The attitude, which an excluded gyro's stand-in comes from, cannot judge the others as well
+        x.residual[GYRO_X + k] = 0.0 if alone else gyros[k]
     for k in range(LIFT, RESIDUALS):
         x.residual[k] = now[k]
 
@@ -288,7 +285,10 @@ def _readmit(s: IsolationSettings, x: IsolationState, raw: Vector, dt: float) ->
         if x.excluded[k] == ACCEPTED:
             continue
         if math.isfinite(raw[k]):
-            x.apart[k] += dt / APART_LAG * (raw[k] - x.signals[k] - x.apart[k])
+            apart = raw[k] - x.signals[k]
+            if ROLL <= k <= YAW:
+                apart = wrapped(apart)
+            x.apart[k] += dt / APART_LAG * (apart - x.apart[k])
         back = x.excluded[k] == SILENT or abs(x.apart[k]) < s.tolerance[k]
         agrees = back and math.isfinite(raw[k]) and own_fault(s, x, k) == ACCEPTED
         x.agrees[k] = x.agrees[k] + dt if agrees else 0.0

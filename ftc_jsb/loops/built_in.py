@@ -24,6 +24,7 @@ from ftc_jsb.control.records import (
 )
 from ftc_jsb.disturbance.sensors import sensor_errors
 from ftc_jsb.estimation.process import OUTPUTS
+from ftc_jsb.isolation.records import BLOCK
 from ftc_jsb.loops.isolation_settings import isolation_settings
 from ftc_jsb.loops.tuning import biases, covariances
 from ftc_jsb.scenario.loop import Loop
@@ -149,9 +150,9 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["detector_sigmas"] = detector.sigmas
     s["detector_hold"] = detector.hold
     enabled = kind.robust if loop.isolation.enabled is None else loop.isolation.enabled
-    knows_drag = model[0]["measured_mach_count"] > 0
+    comparable = model[0]["measured_mach_count"] > 0 and dt <= BLOCK
     s["isolation"] = isolation_settings(
-        sensor_errors(setup.sensors), enabled and knows_drag, loop.isolation.false_alarms, dt
+        sensor_errors(setup.sensors), enabled and comparable, loop.isolation.false_alarms, dt
     )
     return settings
 

@@ -1,12 +1,14 @@
 """What JSBSim's properties say of the aircraft, in SI: the truth of one sample."""
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.frames import continuous, path_from_attitude
+from ftc_jsb.scenario.schema import Initial
 from ftc_jsb.units import FOOT, POUND_FORCE, POUND_MASS
 from ftc_jsb.vocabulary.kernel_types import Records, Vector
 
@@ -51,6 +53,26 @@ JSBSIM_STATE = np.dtype(
         ("bank", float),
     ]
 )
+
+
+def place_origin(state: Any, initial: Initial, origin: Sequence[float]) -> None:
+    """Put the tangent plane of the recording where a flight begins.
+
+    Args:
+        state: one JSBSIM_STATE record, changed in place.
+        initial: [initial] of the scenario.
+        origin: x, y, z of it, Earth-centred, Earth-fixed [m].
+    """
+    state["origin"] = origin
+    latitude = math.radians(initial.latitude_deg)
+    longitude = math.radians(initial.longitude_deg)
+    state["north"] = (
+        -math.sin(latitude) * math.cos(longitude),
+        -math.sin(latitude) * math.sin(longitude),
+        math.cos(latitude),
+    )
+    state["east"] = (-math.sin(longitude), math.cos(longitude), 0.0)
+    state["heading"] = state["yaw"] = math.radians(initial.heading_deg)
 
 
 @compiled

@@ -21,7 +21,13 @@ from ftc_jsb.scenario.wind import Wind
 from ftc_jsb.six_dof.air import set_turbulence, start_in_wind
 from ftc_jsb.six_dof.engines import delivered_thrust, engine_count, thrust_property
 from ftc_jsb.six_dof.fault_writers import FaultWriters
-from ftc_jsb.six_dof.observation import JSBSIM_STATE, POSITION_NAMES, PROPERTIES, observe
+from ftc_jsb.six_dof.observation import (
+    JSBSIM_STATE,
+    POSITION_NAMES,
+    PROPERTIES,
+    observe,
+    place_origin,
+)
 from ftc_jsb.six_dof.point_mass_match import check_point_mass
 from ftc_jsb.six_dof.properties import readers, writer
 from ftc_jsb.six_dof.sensor_errors import SensorErrors
@@ -129,17 +135,8 @@ class JsbsimPlant:
         self._place_origin(fdm)
 
     def _place_origin(self, fdm: Any) -> None:
-        state, initial = self._state[0], self._initial
-        state["origin"] = [fdm[f"position/ecef-{axis}-ft"] * FOOT for axis in "xyz"]
-        latitude = math.radians(initial.latitude_deg)
-        longitude = math.radians(initial.longitude_deg)
-        state["north"] = (
-            -math.sin(latitude) * math.cos(longitude),
-            -math.sin(latitude) * math.sin(longitude),
-            math.cos(latitude),
-        )
-        state["east"] = (-math.sin(longitude), math.cos(longitude), 0.0)
-        state["heading"] = state["yaw"] = math.radians(initial.heading_deg)
+        origin = [fdm[f"position/ecef-{axis}-ft"] * FOOT for axis in "xyz"]
+        place_origin(self._state[0], self._initial, origin)
 
     def truth(self, i: int) -> None:
         """Write the state to row `i`."""
