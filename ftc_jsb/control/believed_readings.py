@@ -47,7 +47,8 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
         estimate = f.estimate[place] if place >= 0 else 1.0
         confirm_thrust(iso, estimate, s.dt)
         thrust = x.observer.thrust * iso.effectiveness
-        isolate(s.isolation, m, at, iso, raw, thrust, estimate, s.dt)
+        doubt = x.observer.thrust_doubt * iso.effectiveness
+        isolate(s.isolation, m, at, iso, raw, thrust, doubt, estimate, s.dt)
         if math.isfinite(iso.before) and place >= 0:
             f.estimate[place] = iso.before
             f.covariance[place, place] += SPOILT**2

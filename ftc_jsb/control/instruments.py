@@ -75,6 +75,7 @@ def consider_instruments(
     to_airspeed = per_coefficient * (2.0 * drag / airspeed + rise / FASTER)
     noise = s.acceleration_noise + to_airspeed**2 * s.measurement_noise[0]
     square = s.acceleration_bias**2 + (to_airspeed * s.airspeed_bias) ** 2
+    square += (o.thrust_doubt / m.mass) ** 2
     for angle in range(ANGLES):
         to_angle = 0.0
         if measured:

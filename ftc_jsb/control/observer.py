@@ -19,9 +19,18 @@ from ftc_jsb.estimation.update import update, update_by_state
 from ftc_jsb.point_mass.dynamics import polar_drag
 from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.point_mass.response import lag_step
-from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
+from ftc_jsb.point_mass.thrust import (
+    healthy_thrust,
+    next_rotor_doubt,
+    next_rotor_speed,
+    rotor_speed_target,
+    thrust_doubt,
+)
 from ftc_jsb.vocabulary.channels import BANK_ANGLE, LOAD_FACTOR, THRUST
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
+
+START_DOUBT = 0.25  # of the rotor speed: JSBSim's rotors jump to the first command out of a trim
+SPOOLING = 20.0  # samples for which an error of the thrust of a spooling engine stays about the same
 
 
 @compiled
@@ -31,6 +40,7 @@ def start_observer(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition,
     o.trim_thrust = x.trim[0]
     o.rotor_speed = rotor_speed_target(at, x.trim[0])
     o.thrust = healthy_thrust(at, o.rotor_speed, x.trim[0])
+    o.rotor_doubt, o.thrust_doubt = START_DOUBT, 0.0
     o.drag_coefficient = drag_coefficient_measured(m, x, at, row, NOTHING, 0.0)
     o.alpha, o.load_factor, o.bank_angle = row.alpha_meas, row.load_factor_meas, row.bank_angle_meas
     f = o.filter
@@ -127,7 +137,11 @@ def _healthy_thrust_of_sample(
     o = x.observer
     thrust = float(x.demand[0])
     if m.spool_up[0] > 0.0:
+        o.rotor_doubt = next_rotor_doubt(
+            m, at, o.rotor_doubt, o.rotor_speed, x.demand[0], s.dt
+        )
         o.rotor_speed = next_rotor_speed(m, at, o.rotor_speed, x.demand[0], s.dt)
+        o.thrust_doubt = thrust_doubt(at, o.rotor_speed, o.rotor_doubt)
         now = healthy_thrust(at, o.rotor_speed, x.demand[0])
         thrust = 0.5 * (o.thrust + now)
         o.thrust = now
@@ -191,8 +205,9 @@ def _update_by_acceleration(
     effectiveness = o.filter.estimate[place] if place >= 0 else 1.0
     o.acceleration_innovation = row.acceleration_meas - (effectiveness * slope - drag / m.mass)
     if place >= 0:
-        variance = slope * slope * o.filter.covariance[place, place] + o.acceleration_noise
-        o.noise_seen = noise_as_seen(o, o.acceleration_innovation, variance, s.dt)
+        spooling = SPOOLING * (effectiveness * o.thrust_doubt / m.mass) ** 2
+        variance = slope * slope * o.filter.covariance[place, place] + o.acceleration_noise + spooling
+        o.noise_seen = noise_as_seen(o, o.acceleration_innovation, variance, s.dt) + spooling
         o.acceleration_innovation_std = update_by_state(
             o.filter, place, slope, o.acceleration_innovation, o.noise_seen, floor
         )

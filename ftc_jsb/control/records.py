@@ -67,6 +67,8 @@ OBSERVER = np.dtype(  # what was flown and estimated
     [
         ("rotor_speed", float),  # of the healthy engine that the loop imagines
         ("thrust", float),  # that engine's thrust [N]
+        ("rotor_doubt", float),  # what its rotor speed may be off by, while it spools
+        ("thrust_doubt", float),  # and its thrust [N]
         ("trim_thrust", float),  # [N], at the start
         ("drag_coefficient", float),  # measured, of the previous sample
         ("alpha", float),  # [rad], likewise

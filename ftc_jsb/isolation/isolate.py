@@ -43,6 +43,7 @@ from ftc_jsb.isolation.redundancy import (
     YAW,
     YAW_RATE,
     agreement,
+    expect_biases,
     sideslip_of_load_factor,
     signatures,
 )
@@ -102,6 +103,7 @@ def isolate(
     x: IsolationState,
     raw: Vector,
     thrust: float,
+    doubt: float,
     effectiveness: float,
     dt: float,
 ) -> None:
@@ -113,6 +115,7 @@ def isolate(
         x: state; `signals` is then what may be believed, `suspect` who may not.
         raw: (COUNT,) readings; nan = silent.
         thrust: that the engine is believed to give [N].
+        doubt: what that may be off by while it spools [N].
         effectiveness: of thrust, as estimated.
         dt: sample time [s].
     """
@@ -140,8 +143,9 @@ def isolate(
         w.total[k] += x.residual[k]
     w.filled += 1
     if w.filled * dt > BLOCK - 0.5 * dt:
-        add_block(w, x.navigation.wind, effectiveness, thrust / m.mass)
+        add_block(w, x.navigation.wind, effectiveness, thrust / m.mass, doubt / m.mass)
         signatures(m, at, thrust, s.sizes, x)
+        expect_biases(s.bias, x)
         weigh(s, x)
         _decide(s, x)
 

@@ -31,7 +31,8 @@ ISOLATION_SETTINGS = np.dtype(
         ("threshold", float),  # log likelihood ratio that is no chance
         ("calm", float, (len(SPANS), RESIDUALS)),  # variance of each span's means in still air
         ("gust", float, (len(SPANS), RESIDUALS)),  # what moderate turbulence adds
-        ("start", float, (RESIDUALS,)),  # variance of what they are off by in a flight
+        ("start", float, (RESIDUALS,)),  # variance of what models are off by in a flight
+        ("bias", float, (COUNT,)),  # standard deviation of what instruments are off by in a flight
         ("noise", float, (COUNT,)),  # standard deviation of readings; 0 = perfect
         ("sizes", float, (ROWS,)),  # of faults that have to be reckoned with, standard deviation
         ("stale", float, (COUNT,)),  # [s] for which a reading that lives cannot stay the same
@@ -62,11 +63,14 @@ WINDOWS = np.dtype(
         ("blocks", float, (LONGEST, RESIDUALS)),  # a ring of their means
         ("winds", float, (LONGEST, 3)),  # lasting wind at the time [m/s]
         ("thrusts", float, (LONGEST,)),  # of the model over mass at the time [m/s^2]
+        ("doubts", float, (LONGEST,)),  # what they may be off by while the engine spools [m/s^2]
         ("mean_thrust", float, (len(SPANS),)),  # of each span
+        ("mean_doubt", float, (len(SPANS),)),  # likewise
         ("estimates", float, (LONGEST,)),  # effectiveness of thrust at the time
         ("next", np.int64),  # place in the ring
         ("count", np.int64),  # blocks in it since it was emptied, or more
         ("baseline", float, (RESIDUALS,)),  # of the time before the ring
+        ("biased", float, (RESIDUALS,)),  # variance by the instruments' biases
         ("learned", np.int64),  # blocks in the baseline
         ("gust", float),  # power of the turbulence over that of moderate
         ("side_slope", float),  # load factor to the side, per rad of sideslip; 0 = not known

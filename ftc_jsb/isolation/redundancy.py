@@ -171,6 +171,25 @@ def signatures(
 
 
 @compiled
+def expect_biases(bias: Vector, x: IsolationState) -> None:
+    """Variance of the residuals by what the instruments are off by all through a flight.
+
+    Positions have none that matters, and a biased attitude turns as the true one does.
+
+    Args:
+        bias: (COUNT,) standard deviations.
+        x: ISOLATION; `signature` is read, `windows.biased` is written.
+    """
+    for k in range(RESIDUALS):
+        total = 0.0
+        for j in range(COUNT):
+            turning = GYRO_X <= k < LIFT and ROLL <= j <= YAW
+            if j not in (ALTITUDE, NORTH, EAST) and not turning:
+                total += (x.signature[j, k] * bias[j]) ** 2
+        x.windows.biased[k] = total
+
+
+@compiled
 def _move(
     m: ModelRecord, at: Condition, thrust: float, x: IsolationState, j: int, step: float
 ) -> None:

@@ -28,7 +28,7 @@ def empty_windows(w: Windows) -> None:
     w.gust = 1.0
     w.thrust, w.transient = math.nan, 0.0
     for k in range(RESIDUALS):
-        w.total[k], w.baseline[k] = 0.0, 0.0
+        w.total[k], w.baseline[k], w.biased[k] = 0.0, 0.0, 0.0
 
 
 @compiled
@@ -38,7 +38,9 @@ def begin_anew(w: Windows) -> None:
 
 
 @compiled
-def add_block(w: Windows, wind: Vector, effectiveness: float, thrust: float) -> None:
+def add_block(
+    w: Windows, wind: Vector, effectiveness: float, thrust: float, doubt: float
+) -> None:
     """The block that is full goes into the ring, the oldest into the baseline.
 
     Args:
@@ -46,6 +48,7 @@ def add_block(w: Windows, wind: Vector, effectiveness: float, thrust: float) -> 
         wind: (3,), lasting [m/s].
         effectiveness: of thrust, as estimated.
         thrust: of the model over mass [m/s^2].
+        doubt: what it may be off by while the engine spools [m/s^2].
     """
     for k in range(RESIDUALS):
         w.total[k] /= w.filled
@@ -63,7 +66,7 @@ def add_block(w: Windows, wind: Vector, effectiveness: float, thrust: float) -> 
     for k in range(3):
         w.winds[place, k] = wind[k]
     w.estimates[place] = effectiveness
-    w.thrusts[place] = thrust
+    w.thrusts[place], w.doubts[place] = thrust, doubt
     w.filled = 0
     w.next = (place + 1) % LONGEST
     w.count += 1
@@ -93,10 +96,12 @@ def look_back(w: Windows, span: int) -> None:
         for b in range(1, blocks + 1):
             total += w.blocks[(w.next - b + LONGEST) % LONGEST, k]
         w.means[span, k] = total / blocks - w.baseline[k]
-    total = 0.0
+    thrust, doubt = 0.0, 0.0
     for b in range(1, blocks + 1):
-        total += w.thrusts[(w.next - b + LONGEST) % LONGEST]
-    w.mean_thrust[span] = total / blocks
+        place = (w.next - b + LONGEST) % LONGEST
+        thrust += w.thrusts[place]
+        doubt += w.doubts[place]
+    w.mean_thrust[span], w.mean_doubt[span] = thrust / blocks, doubt / blocks
 
 
 @compiled
@@ -106,7 +111,7 @@ def variance(s: IsolationSettings, w: Windows, span: int, k: int) -> float:
     Signatures are of a model, too: a large residual may be off by a tenth of itself.
     """
     unknown = PRIOR / (PRIOR + w.learned)
-    total = s.calm[span, k] + w.gust * s.gust[span, k] + unknown * s.start[k]
+    total = s.calm[span, k] + w.gust * s.gust[span, k] + unknown * (s.start[k] + w.biased[k])
     if AIR_X <= k < AIR_X + 3:
         total += unknown * w.gust * WIND_VARIANCE
     elif k == FORCE:
@@ -117,5 +122,5 @@ def variance(s: IsolationSettings, w: Windows, span: int, k: int) -> float:
         ):  # side force that is wrong tells of a sideslip that is wrong, and of its drag
             total += (w.slip_drag * w.means[span, SIDE] / w.side_slope) ** 2
         bent = BENT * STANDARD_GRAVITY * w.means[span, LIFT]
-        total += (TRANSIENT_SHARE * w.transient) ** 2 + bent * bent
+        total += (TRANSIENT_SHARE * w.transient) ** 2 + w.mean_doubt[span] ** 2 + bent * bent
     return float(total + (INEXACT * w.means[span, k]) ** 2)

@@ -10,6 +10,9 @@ from typing import Any
 from ftc_jsb.compiled import compiled
 from ftc_jsb.point_mass.model import Condition
 
+IDLE_DOUBT = 0.01  # of the span from idle to military: what the deck's idle thrust may be off by
+RATE_DOUBT = 0.05  # of the spool's rate
+
 
 @compiled
 def rotor_speed_target(at: Condition, thrust_cmd: float) -> float:
@@ -56,3 +59,38 @@ def healthy_thrust(at: Condition, rotor_speed: float, thrust_cmd: float) -> floa
         return dry
     reheat = min(max((thrust_cmd - at.thrust_military) / span, 0.0), 1.0)
     return dry + reheat * (at.thrust_maximum - dry)
+
+
+@compiled
+def next_rotor_doubt(
+    model: Any, at: Condition, doubt: float, rotor_speed: float, thrust_cmd: float, dt: float
+) -> float:
+    """What the rotor speed may be off by after `dt` seconds at a held thrust command.
+
+    Where the speed has come to what is commanded it is known. On the way there it is off by what idle thrust
+    is off by, which near idle is a large part of the speed, by a part of the rate, and by what a rotor that
+    is ahead gains because it spools up faster.
+
+    Args:
+        model, at: as `next_rotor_speed` takes them.
+        doubt: of the sample before, normalised rotor speed.
+        rotor_speed: normalised.
+        thrust_cmd: [N].
+        dt: sample time [s].
+    """
+    target = rotor_speed_target(at, thrust_cmd)
+    up = target > rotor_speed
+    rate = spool_rate(model, rotor_speed, at.density, up)
+    if abs(target - rotor_speed) <= doubt + rate * dt:
+        return max(doubt - rate * dt, 0.0)
+    least = math.sqrt(rotor_speed * rotor_speed + IDLE_DOUBT) - rotor_speed
+    at_first = max(doubt, least)
+    gained = spool_rate(model, rotor_speed + at_first, at.density, up) - rate if up else 0.0
+    return at_first + (gained + RATE_DOUBT * rate) * dt
+
+
+@compiled
+def thrust_doubt(at: Condition, rotor_speed: float, doubt: float) -> float:
+    """What dry thrust may be off by [N] where the rotor speed is off by `doubt`."""
+    span = at.thrust_military - at.thrust_idle
+    return span * doubt * (2.0 * rotor_speed + doubt)
