@@ -7,11 +7,11 @@ from ftc_jsb.compiled import compiled
 from ftc_jsb.estimation.process import place_of_channel
 from ftc_jsb.frames import measure_path
 from ftc_jsb.isolation.isolate import confirm_thrust, isolate, start_isolation
-from ftc_jsb.isolation.records import ACCEPTED, COUNT
+from ftc_jsb.isolation.records import ACCEPTED, COUNT, SURFACE_COUNT
 from ftc_jsb.isolation.redundancy import ELEVATOR, LOAD_X, LOAD_Z, PITCH_RATE
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.vocabulary.channels import THRUST
-from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, THRUST_LOSS, UNKNOWN
+from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, FIRST_SURFACE, THRUST_LOSS
 from ftc_jsb.vocabulary.kernel_types import (
     IsolationState,
     LoopSettings,
@@ -37,6 +37,9 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
     iso = x.isolation
     raw = iso.raw
     _read(row, raw)
+    iso.commanded[0], iso.commanded[1], iso.commanded[2] = (
+        row.elevator_cmd, row.aileron_cmd, row.rudder_cmd,
+    )  # fmt: skip
     if i == 0:
         start_isolation(iso, raw)
         iso.flies = 1 if math.isfinite(raw[PITCH_RATE]) or math.isfinite(raw[ELEVATOR]) else 0
@@ -62,6 +65,9 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
         return
     row.suspect, row.suspect_probability = iso.suspect, iso.probability
     row.isolation_statistic = iso.statistic
+    for j in range(SURFACE_COUNT):
+        told = iso.surfaces[j].statistic / s.isolation.threshold
+        row.isolation_statistic = max(row.isolation_statistic, told)
     bits = 0
     for k in range(COUNT):
         if iso.excluded[k] != ACCEPTED:
@@ -96,7 +102,7 @@ def believe_isolation(iso: IsolationState, detector: Any, row: Row) -> None:
         return
     if iso.suspect == THRUST_LOSS and iso.statistic > 1.0 and iso.thrust == 1:
         detector.declared, detector.elapsed = 1, 0.0
-    instrument = FIRST_INSTRUMENT <= iso.suspect < UNKNOWN and iso.statistic > 1.0
+    instrument = FIRST_INSTRUMENT <= iso.suspect < FIRST_SURFACE and iso.statistic > 1.0
     if (instrument or iso.quiet > 0.0) and iso.thrust == 0:
         detector.declared, detector.elapsed = 0, 0.0
     iso.thrust = detector.declared

@@ -25,6 +25,7 @@ from ftc_jsb.isolation.records import (
     LIFT,
     RESIDUALS,
     SILENT,
+    SURFACE_COUNT,
 )
 from ftc_jsb.isolation.redundancy import (
     AIRSPEED,
@@ -49,9 +50,16 @@ from ftc_jsb.isolation.redundancy import (
 )
 from ftc_jsb.isolation.replacement import accept, exclude
 from ftc_jsb.isolation.self_test import attitude_jump, notice_readings, own_fault
+from ftc_jsb.isolation.surfaces import pick_off_of, start_surfaces, watch_surface
 from ftc_jsb.isolation.windows import add_block, begin_anew, empty_windows
 from ftc_jsb.point_mass.model import Condition
-from ftc_jsb.vocabulary.hypotheses import FIRST_INSTRUMENT, NOBODY, THRUST_LOSS, UNKNOWN
+from ftc_jsb.vocabulary.hypotheses import (
+    FIRST_INSTRUMENT,
+    FIRST_SURFACE,
+    NOBODY,
+    THRUST_LOSS,
+    UNKNOWN,
+)
 from ftc_jsb.vocabulary.kernel_types import (
     IsolationSettings,
     IsolationState,
@@ -74,6 +82,7 @@ AGREED = 5.0  # [s] for which a reading has to agree again
 def start_isolation(x: IsolationState, raw: Vector) -> None:
     """Everybody accepted, nobody suspect."""
     empty_windows(x.windows)
+    start_surfaces(x, x.commanded)
     for k in range(COUNT):
         value = raw[k] if math.isfinite(raw[k]) else 0.0
         x.signals[k], x.readings[k] = value, value
@@ -131,6 +140,10 @@ def isolate(
             reason = own_fault(s, x, k)
             if reason != ACCEPTED:
                 _take_out(x, k, reason, 1.0)
+    for j in range(SURFACE_COUNT):
+        reason, k = watch_surface(s, x, j, x.commanded[j], dt), pick_off_of(j)
+        if reason != ACCEPTED and x.excluded[k] == ACCEPTED:
+            _take_out(x, k, reason, 1.0)
     accept(m, at, thrust, x, raw, dt)
     _see_residuals(s, m, at, x, thrust, dt)
     x.quiet = max(x.quiet - dt, 0.0)
@@ -218,7 +231,7 @@ def _decide(s: IsolationSettings, x: IsolationState) -> None:
     if x.statistic <= 1.0:
         x.ambiguous = 0.0
         if x.quiet == 0.0:
-            _say_what_lasts(x)
+            _say_what_lasts(s, x)
         return
     winner = judge(x)
     probability = x.probabilities[winner]
@@ -232,7 +245,7 @@ def _decide(s: IsolationSettings, x: IsolationState) -> None:
     x.suspect, x.probability = winner, probability
     if winner == THRUST_LOSS:
         x.thrust = 1
-    elif winner != UNKNOWN:
+    elif winner < FIRST_SURFACE:
         x.thrust = 0
         _take_out(x, winner - FIRST_INSTRUMENT, DISAGREES, probability)
 
@@ -268,13 +281,26 @@ def _take_out(x: IsolationState, k: int, reason: int, probability: float) -> Non
 
 
 @compiled
-def _say_what_lasts(x: IsolationState) -> None:
-    """Nobody new is suspect: who is excluded, or thrust that is lost, or nobody."""
+def _say_what_lasts(s: IsolationSettings, x: IsolationState) -> None:
+    """Nobody new is suspect: a surface that does not obey, who is excluded, thrust that is lost, or nobody."""
+    for j in range(SURFACE_COUNT):
+        surface = x.surfaces[j]
+        if surface.faulty == 1 and surface.told == 0:
+            x.suspect = FIRST_SURFACE + j
+            x.probability = 1.0 - (1.0 - SURE) * math.exp(
+                min(s.threshold - surface.statistic, 0.0)
+            )
+        surface.told = surface.faulty
     if x.suspect == THRUST_LOSS and x.thrust == 1:
         return
-    if FIRST_INSTRUMENT <= x.suspect < UNKNOWN and x.excluded[x.suspect - FIRST_INSTRUMENT]:
+    if FIRST_INSTRUMENT <= x.suspect < FIRST_SURFACE and x.excluded[x.suspect - FIRST_INSTRUMENT]:
+        return
+    if FIRST_SURFACE <= x.suspect < UNKNOWN and x.surfaces[x.suspect - FIRST_SURFACE].faulty == 1:
         return
     x.suspect, x.probability = NOBODY, 1.0
+    for j in range(SURFACE_COUNT):
+        if x.surfaces[j].faulty == 1:
+            x.suspect = FIRST_SURFACE + j
     for k in range(COUNT):
         if x.excluded[k] != ACCEPTED:
             x.suspect = FIRST_INSTRUMENT + k

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ftc_jsb.vocabulary.channels import SURFACES
 from ftc_jsb.vocabulary.hypotheses import HYPOTHESES
 from ftc_jsb.vocabulary.signals import SENSED
 
@@ -15,6 +16,7 @@ FORCE = 11  # [m/s^2]: force along the velocity over mass, less thrust and drag
 RESIDUALS = 12
 
 COUNT = len(SENSED)
+SURFACE_COUNT = len(SURFACES)
 BLOCK = 0.1  # [s] over which residuals are averaged before they are looked at
 SPANS = (2, 5, 10, 20, 50, 100)  # blocks, over which a fault may have lasted
 LONGEST = SPANS[-1]
@@ -38,6 +40,7 @@ ISOLATION_SETTINGS = np.dtype(
         ("stale", float, (COUNT,)),  # [s] for which a reading that lives cannot stay the same
         ("tolerance", float, (COUNT,)),  # within which an excluded one agrees again
         ("position_lag", float, (3,)),  # [s] of north, east, altitude
+        ("pick_off_lag", float, (SURFACE_COUNT,)),  # samples by which pick-offs are late
         ("gyro_lead", float),  # samples by which gyros are ahead of the attitude
     ]
 )
@@ -80,11 +83,34 @@ WINDOWS = np.dtype(
         ("means", float, (len(SPANS), RESIDUALS)),  # of each span, less the baseline
     ]
 )
+SURFACE = np.dtype(
+    [
+        ("commanded", float),  # position of the last sample
+        ("due", float),  # the same as late as the pick-off
+        ("reading", float),
+        ("square", float),  # sums of changes of the command over their noise
+        ("product", float),  # and of those times changes of the reading
+        ("square_soon", float),  # both over a shorter time
+        ("product_soon", float),
+        ("gain", float),  # from the one to the other: effectiveness
+        ("gain_std", float),
+        ("rough", float),  # power of what the changes differ by, over that of the noise
+        ("offset", float),  # reading less command, lagged
+        ("lasting", float),  # of it
+        ("away", float),  # [s] for which the offset has been there
+        ("obeys", float),  # [s] for which a faulty surface has obeyed again
+        ("faulty", np.int64),
+        ("told", np.int64),  # 1 where that has been said
+        ("statistic", float),  # log likelihood ratio
+    ]
+)
 ISOLATION = np.dtype(
     [
         ("flies", np.int64),  # 1 where there are instruments to compare
         ("navigation", NAVIGATION),
         ("windows", WINDOWS),
+        ("surfaces", SURFACE, (SURFACE_COUNT,)),
+        ("commanded", float, (SURFACE_COUNT,)),  # positions; nan = not known
         ("raw", float, (COUNT,)),  # readings of this sample; nan = silent
         ("signals", float, (COUNT,)),  # accepted readings of this sample
         ("readings", float, (COUNT,)),  # last finite ones of the instruments themselves

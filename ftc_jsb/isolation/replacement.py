@@ -10,6 +10,7 @@ from ftc_jsb.isolation.records import (
     DISAGREES,
     INERTIAL_X,
     LONGEST,
+    SURFACE_COUNT,
 )
 from ftc_jsb.isolation.redundancy import (
     AIRSPEED,
@@ -28,6 +29,7 @@ from ftc_jsb.isolation.redundancy import (
     YAW_RATE,
     modelled,
 )
+from ftc_jsb.isolation.surfaces import pick_off_of
 from ftc_jsb.point_mass.model import Condition
 from ftc_jsb.units import STANDARD_GRAVITY
 from ftc_jsb.vocabulary.kernel_types import IsolationState, ModelRecord, Vector
@@ -57,6 +59,10 @@ def accept(
         if x.excluded[k] == ACCEPTED and math.isfinite(raw[k]):
             x.signals[k] = raw[k]
     n = x.navigation
+    for j in range(SURFACE_COUNT):
+        k = pick_off_of(j)
+        if not (x.excluded[k] == ACCEPTED and math.isfinite(raw[k])) and math.isfinite(x.surfaces[j].due):
+            x.signals[k] = x.surfaces[j].due + x.surfaces[j].lasting
     for axis in range(3):
         if x.excluded[ROLL + axis] != ACCEPTED:
             x.signals[ROLL + axis] = n.steady[axis] + n.moving[axis] * dt

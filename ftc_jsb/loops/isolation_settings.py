@@ -19,6 +19,7 @@ from ftc_jsb.isolation.records import (
     THRUST_ROW,
 )
 from ftc_jsb.isolation.scatter import CALM, GUST, START
+from ftc_jsb.vocabulary.channels import SURFACES
 from ftc_jsb.vocabulary.signals import ANGLES, SENSED
 
 THRESHOLD, AT = 18.0, 0.01  # log likelihood ratio that chance exceeds so often an hour
@@ -111,6 +112,8 @@ def isolation_settings(
     s["sizes"][DRIFT_ROW:THRUST_ROW] = s["sizes"][SENSED.index("roll")]
     s["sizes"][THRUST_ROW] = 1.0
     s["position_lag"] = [sensors[name].delay for name in ("north", "east", "altitude")]
+    pick_offs = (sensors[f"{name}_position"] for name in SURFACES)
+    s["pick_off_lag"] = [min(errors.delay / dt, 1.0) for errors in pick_offs]
     late = sensors["roll"].delay - sensors["roll_rate"].delay
     s["gyro_lead"] = min(max(late / dt + 0.5, 0.0), 1.0)
     return result

@@ -87,6 +87,10 @@ def _truth() -> list[Variable]:
         Variable("aileron", "rad", "left aileron, positive rolls to the right"),
         Variable("rudder", "rad", "rudder, positive yaws to the left"),
         Variable("flap", "rad", "flap position that drag depends on, as aircraft.toml names it"),
+        *(
+            Variable(f"{name}_cmd", "rad", f"{name} where flight control sends it")
+            for name in SURFACES
+        ),
     ]  # fmt: skip
 
 

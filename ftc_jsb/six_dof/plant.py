@@ -35,6 +35,7 @@ from ftc_jsb.six_dof.trim import trimmed
 from ftc_jsb.six_dof.weaving.faults import observed
 from ftc_jsb.six_dof.weaving.woven_aircraft import woven_aircraft
 from ftc_jsb.units import FOOT
+from ftc_jsb.vocabulary.channels import SURFACES
 
 COMMANDS = ("ftc/command/thrust-n", "ftc/command/load-factor", "ftc/command/bank-rad")
 COMMANDED = ("thrust_cmd", "load_factor_cmd", "bank_angle_cmd")
@@ -128,6 +129,10 @@ class JsbsimPlant:
         command = [writer(fdm, name) for name in COMMANDS]
         columns = list(record.dtype.names or ())
         commanded = [columns.index(name) for name in COMMANDED]
+        sent = readers(fdm, [getattr(aircraft.positions, name) for name in SURFACES])
+        self._sent = [
+            (read, columns.index(f"{name}_cmd")) for read, name in zip(sent, SURFACES, strict=True)
+        ]
         self._commands = list(zip(command, commanded, strict=True))
         self._number = self._numbers.item
         seen = (self._raw, self._state, record)
@@ -142,6 +147,8 @@ class JsbsimPlant:
         """Write the state to row `i`."""
         self._pack(*map(call, self._readers))
         self._observe(i)
+        for read, column in self._sent:
+            self._numbers[i, column] = read()
 
     def command(self, i: int) -> None:
         """Give the inner loop the commands of row `i`."""

@@ -1,8 +1,10 @@
 """Whose fault it may be: what the isolation decides among, by number."""
 
+from ftc_jsb.vocabulary.channels import SURFACES
 from ftc_jsb.vocabulary.signals import SENSED
 
 NOBODY, THRUST_LOSS = 0, 1
 FIRST_INSTRUMENT = 2
-HYPOTHESES: tuple[str, ...] = ("healthy", "thrust", *SENSED, "unknown")
+FIRST_SURFACE = FIRST_INSTRUMENT + len(SENSED)
+HYPOTHESES: tuple[str, ...] = ("healthy", "thrust", *SENSED, *SURFACES, "unknown")
 UNKNOWN = len(HYPOTHESES) - 1
