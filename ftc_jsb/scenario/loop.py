@@ -56,7 +56,7 @@ class Isolation(Section):
     """[loop.isolation]: whose fault it is, instruments' or the thrust's; excluded ones are replaced."""
 
     enabled: bool | None = None  # by default in loop `robust`, on an aircraft with measured drag
-    false_alarms: float = Field(0.01, ge=1e-6, le=10.0)  # an hour, that the threshold is meant for
+    false_alarms: float = Field(0.001, ge=1e-6, le=10.0)  # an hour, that the threshold is meant for
 
 
 class Loop(Section):

@@ -49,7 +49,7 @@ def fill(state: Any, blocks: int, residuals: dict[int, float]) -> None:
         for k, value in residuals.items():
             windows["total"][k] = value
         windows["filled"] = 1
-        add_block(windows, np.zeros(3), 1.0, THRUST)
+        add_block(windows, np.zeros(3), 1.0, THRUST, 0.0)
 
 
 def test_nothing_wrong_is_no_evidence(settings: Any, state: Any) -> None:

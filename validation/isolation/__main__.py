@@ -1,0 +1,20 @@
+"""`python -m validation.isolation WHAT`: whose fault is it?
+
+`table [SEEDS] [FIRST]` flies every class of faults on every fighter, in four airs, with perfect and with tactical
+sensors; `rates [HOURS] [FIRST]` flies without a fault and counts alarms; `roc [SEEDS] [FIRST]` weighs losses of
+thrust that are found against alarms by chance; `bound [SEEDS] [FIRST]` holds the estimate's error against the
+Cramér–Rao bound; `learn` prints `ftc_jsb/isolation/scatter.py` anew, from seeds 100 to 103. Seeds of the others
+begin at 17000: nothing was chosen by them.
+"""
+
+import sys
+
+from validation.isolation.rates import rates
+
+MADE = {
+    "rates": lambda numbers: rates(*numbers[:1], *map(int, numbers[1:])),
+}
+
+if __name__ == "__main__":
+    for line in MADE[sys.argv[1]]([float(each) for each in sys.argv[2:]]):
+        print(line, flush=True)
