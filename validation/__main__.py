@@ -13,7 +13,8 @@ from ftc_jsb.analysis.verdict import passed
 from ftc_jsb.errors import UserError
 from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.load import load_scenario, scenario_names
-from validation import envelope, instruments, isolation, margins, missions, transports
+from validation import envelope, instruments, margins, missions, transports
+from validation.isolation import table as isolation
 from validation.campaigns import robustness_section
 from validation.cost import cost_table, long_flights
 from validation.fighters import SCENARIOS, fighters_table
