@@ -19,6 +19,8 @@ STEP = math.radians(0.2)  # [rad], of the differences
 FASTER = 2.0  # [m/s], likewise
 LEAST_THRUST = 0.02  # of the weight: below, thrust tells nothing
 BLIND = 10.0  # standard deviation of an effectiveness that nothing is known of
+BLIND_FROM = 0.5  # considered standard deviation from which on the estimate is held
+MODEL_DOUBT = 0.003  # of the drag: what the fits leave on flights they have not seen
 LAG = 0.5  # [s], of the sensitivities: vanes are noisy
 WINDOW = 10.0  # [s], over which innovations are averaged
 LARGEST = 3.0  # [sigma]
@@ -76,6 +78,7 @@ def consider_instruments(
     noise = s.acceleration_noise + to_airspeed**2 * s.measurement_noise[0]
     square = s.acceleration_bias**2 + (to_airspeed * s.airspeed_bias) ** 2
     square += (o.thrust_doubt / m.mass) ** 2
+    square += (MODEL_DOUBT * per_coefficient * drag) ** 2
     for angle in range(ANGLES):
         to_angle = 0.0
         if measured:
@@ -87,6 +90,7 @@ def consider_instruments(
         square += (to_angle * s.angle_bias[angle]) ** 2
     if not math.isfinite(noise + square):  # a silent instrument
         return
+    o.blind = 1 if math.sqrt(square) > BLIND_FROM * abs(slope) else 0
     share = 1.0 - math.exp(-s.dt / LAG)
     o.acceleration_noise += share * (noise - o.acceleration_noise)
     if abs(slope) > LEAST_THRUST * m.gravity:

@@ -21,8 +21,8 @@ from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.point_mass.response import lag_step
 from ftc_jsb.point_mass.thrust import (
     healthy_thrust,
-    next_rotor_doubt,
     next_rotor_speed,
+    other_rotor_speed,
     rotor_speed_target,
     thrust_doubt,
 )
@@ -40,7 +40,7 @@ def start_observer(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition,
     o.trim_thrust = x.trim[0]
     o.rotor_speed = rotor_speed_target(at, x.trim[0])
     o.thrust = healthy_thrust(at, o.rotor_speed, x.trim[0])
-    o.rotor_doubt, o.thrust_doubt = START_DOUBT, 0.0
+    o.other_rotor, o.thrust_doubt = max(o.rotor_speed - START_DOUBT, 0.0), 0.0
     o.drag_coefficient = drag_coefficient_measured(m, x, at, row, NOTHING, 0.0)
     o.alpha, o.load_factor, o.bank_angle = row.alpha_meas, row.load_factor_meas, row.bank_angle_meas
     f = o.filter
@@ -55,7 +55,7 @@ def start_observer(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition,
             f.covariance[a, b] = 0.0
         f.covariance[a, a] = s.initial_covariance[a]
     o.acceleration_innovation, o.acceleration_innovation_std = math.nan, math.nan
-    o.acceleration_noise, o.considered = s.acceleration_noise, 0.0
+    o.acceleration_noise, o.considered, o.blind = s.acceleration_noise, 0.0, 0
     o.noise_seen, o.power, o.product, o.last = s.acceleration_noise, 1.0, 0.0, 0.0
     o.detector.declared = 0
     o.detector.elapsed = 0.0
@@ -87,6 +87,8 @@ def _set_process_noise(s: LoopSettings, m: ModelRecord, x: LoopState) -> None:
         o.process_noise[a] = s.process_noise[a]
         if a >= OUTPUTS and s.response_time > 0.0:
             o.process_noise[a] = _effectiveness_noise(s, m, o.trim_thrust, o.noise_seen)
+            if o.blind == 1:
+                o.process_noise[a] = 0.0
 
 
 @compiled
@@ -137,11 +139,9 @@ def _healthy_thrust_of_sample(
     o = x.observer
     thrust = float(x.demand[0])
     if m.spool_up[0] > 0.0:
-        o.rotor_doubt = next_rotor_doubt(
-            m, at, o.rotor_doubt, o.rotor_speed, x.demand[0], s.dt
-        )
         o.rotor_speed = next_rotor_speed(m, at, o.rotor_speed, x.demand[0], s.dt)
-        o.thrust_doubt = thrust_doubt(at, o.rotor_speed, o.rotor_doubt)
+        o.other_rotor = other_rotor_speed(m, at, o.other_rotor, x.demand[0], s.dt)
+        o.thrust_doubt = thrust_doubt(at, o.rotor_speed, o.other_rotor)
         now = healthy_thrust(at, o.rotor_speed, x.demand[0])
         thrust = 0.5 * (o.thrust + now)
         o.thrust = now
@@ -207,9 +207,13 @@ def _update_by_acceleration(
     if place >= 0:
         spooling = SPOOLING * (effectiveness * o.thrust_doubt / m.mass) ** 2
         variance = slope * slope * o.filter.covariance[place, place] + o.acceleration_noise + spooling
-        o.noise_seen = noise_as_seen(o, o.acceleration_innovation, variance, s.dt) + spooling
+        o.acceleration_innovation_std = math.sqrt(variance)
+        if o.blind == 1:  # near no thrust: what is estimated is held
+            return
+        o.noise_seen = noise_as_seen(o, o.acceleration_innovation, variance, s.dt)
+        noise = o.noise_seen + spooling
         o.acceleration_innovation_std = update_by_state(
-            o.filter, place, slope, o.acceleration_innovation, o.noise_seen, floor
+            o.filter, place, slope, o.acceleration_innovation, noise, floor
         )
 
 

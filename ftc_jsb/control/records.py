@@ -67,8 +67,8 @@ OBSERVER = np.dtype(  # what was flown and estimated
     [
         ("rotor_speed", float),  # of the healthy engine that the loop imagines
         ("thrust", float),  # that engine's thrust [N]
-        ("rotor_doubt", float),  # what its rotor speed may be off by, while it spools
-        ("thrust_doubt", float),  # and its thrust [N]
+        ("other_rotor", float),  # the same if idle thrust and spool rate are a little wrong
+        ("thrust_doubt", float),  # how far the two differ [N]
         ("trim_thrust", float),  # [N], at the start
         ("drag_coefficient", float),  # measured, of the previous sample
         ("alpha", float),  # [rad], likewise
@@ -79,6 +79,7 @@ OBSERVER = np.dtype(  # what was flown and estimated
         ("power", float),  # of that force's normalised innovations, lagged: 1 where R is right
         ("product", float),  # of neighbouring ones: 0 where they are white
         ("last", float),  # of them
+        ("blind", np.int64),  # 1 while what it cannot know is more than what it would learn
         ("considered", float),  # standard deviation of the effectiveness by the instruments' biases
         ("acceleration_innovation", float),  # [m/s^2]
         ("acceleration_innovation_std", float),

@@ -62,35 +62,27 @@ def healthy_thrust(at: Condition, rotor_speed: float, thrust_cmd: float) -> floa
 
 
 @compiled
-def next_rotor_doubt(
-    model: Any, at: Condition, doubt: float, rotor_speed: float, thrust_cmd: float, dt: float
+def other_rotor_speed(
+    model: Any, at: Condition, rotor_speed: float, thrust_cmd: float, dt: float
 ) -> float:
-    """What the rotor speed may be off by after `dt` seconds at a held thrust command.
+    """`next_rotor_speed` of the same engine if the deck's idle thrust and the spool's rate are a little wrong.
 
-    Where the speed has come to what is commanded it is known. On the way there it is off by what idle thrust
-    is off by, which near idle is a large part of the speed, by a part of the rate, and by what a rotor that
-    is ahead gains because it spools up faster.
+    Two rotors that begin at the same thrust and spool differ the more the nearer to idle they began; once they
+    have come to what is commanded they agree again.
 
     Args:
-        model, at: as `next_rotor_speed` takes them.
-        doubt: of the sample before, normalised rotor speed.
-        rotor_speed: normalised.
-        thrust_cmd: [N].
-        dt: sample time [s].
+        model, at, rotor_speed, thrust_cmd, dt: as `next_rotor_speed` takes them.
     """
-    target = rotor_speed_target(at, thrust_cmd)
-    up = target > rotor_speed
-    rate = spool_rate(model, rotor_speed, at.density, up)
-    if abs(target - rotor_speed) <= doubt + rate * dt:
-        return max(doubt - rate * dt, 0.0)
-    least = math.sqrt(rotor_speed * rotor_speed + IDLE_DOUBT) - rotor_speed
-    at_first = max(doubt, least)
-    gained = spool_rate(model, rotor_speed + at_first, at.density, up) - rate if up else 0.0
-    return at_first + (gained + RATE_DOUBT * rate) * dt
+    idle = at.thrust_idle - IDLE_DOUBT * (at.thrust_military - at.thrust_idle)
+    span = max(at.thrust_military - idle, 1.0)
+    target = math.sqrt(min(max((thrust_cmd - idle) / span, 0.0), 1.0))
+    rate = spool_rate(model, rotor_speed, at.density, target > rotor_speed) * (1.0 + RATE_DOUBT)
+    return rotor_speed + min(max(target - rotor_speed, -rate * dt), rate * dt)
 
 
 @compiled
-def thrust_doubt(at: Condition, rotor_speed: float, doubt: float) -> float:
-    """What dry thrust may be off by [N] where the rotor speed is off by `doubt`."""
+def thrust_doubt(at: Condition, rotor_speed: float, other: float) -> float:
+    """What dry thrust [N] may be off by: the difference of two rotors, the other one of `other_rotor_speed`."""
     span = at.thrust_military - at.thrust_idle
-    return span * doubt * (2.0 * rotor_speed + doubt)
+    lower = IDLE_DOUBT * span
+    return abs(span * (other * other - rotor_speed * rotor_speed) - lower * (1.0 - other * other))

@@ -9,6 +9,7 @@ begin at 17000: nothing was chosen by them.
 
 import sys
 
+from validation.isolation.bound import bounds
 from validation.isolation.learn import learn
 from validation.isolation.rates import rates
 from validation.isolation.roc import roc
@@ -17,6 +18,7 @@ from validation.isolation.table import table
 MADE = {
     "table": lambda numbers: table(*map(int, numbers)),
     "roc": lambda numbers: roc(*map(int, numbers)),
+    "bound": lambda numbers: bounds(*map(int, numbers)),
     "learn": lambda _: learn(),
     "rates": lambda numbers: rates(*numbers[:1], *map(int, numbers[1:])),
 }
