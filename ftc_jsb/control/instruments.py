@@ -77,7 +77,6 @@ def consider_instruments(
     to_airspeed = per_coefficient * (2.0 * drag / airspeed + rise / FASTER)
     noise = s.acceleration_noise + to_airspeed**2 * s.measurement_noise[0]
     square = s.acceleration_bias**2 + (to_airspeed * s.airspeed_bias) ** 2
-    square += (o.thrust_doubt / m.mass) ** 2
     square += (MODEL_DOUBT * per_coefficient * drag) ** 2
     for angle in range(ANGLES):
         to_angle = 0.0
@@ -90,7 +89,8 @@ def consider_instruments(
         square += (to_angle * s.angle_bias[angle]) ** 2
     if not math.isfinite(noise + square):  # a silent instrument
         return
-    o.blind = 1 if math.sqrt(square) > BLIND_FROM * abs(slope) else 0
+    doubt = o.thrust_doubt / m.mass  # of a spooling engine, which passes: R has it
+    o.blind = 1 if math.hypot(math.sqrt(square), doubt) > BLIND_FROM * abs(slope) else 0
     share = 1.0 - math.exp(-s.dt / LAG)
     o.acceleration_noise += share * (noise - o.acceleration_noise)
     if abs(slope) > LEAST_THRUST * m.gravity:

@@ -29,7 +29,7 @@ from ftc_jsb.point_mass.thrust import (
 from ftc_jsb.vocabulary.channels import BANK_ANGLE, LOAD_FACTOR, THRUST
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
 
-START_DOUBT = 0.25  # of the rotor speed: JSBSim's rotors jump to the first command out of a trim
+NOT_YET = -1.0  # rotor speed before the first command, to which JSBSim's rotors jump out of a trim
 SPOOLING = 20.0  # samples for which an error of the thrust of a spooling engine stays about the same
 
 
@@ -40,7 +40,7 @@ def start_observer(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition,
     o.trim_thrust = x.trim[0]
     o.rotor_speed = rotor_speed_target(at, x.trim[0])
     o.thrust = healthy_thrust(at, o.rotor_speed, x.trim[0])
-    o.other_rotor, o.thrust_doubt = max(o.rotor_speed - START_DOUBT, 0.0), 0.0
+    o.other_rotor, o.thrust_doubt = NOT_YET, 0.0
     o.drag_coefficient = drag_coefficient_measured(m, x, at, row, NOTHING, 0.0)
     o.alpha, o.load_factor, o.bank_angle = row.alpha_meas, row.load_factor_meas, row.bank_angle_meas
     f = o.filter
@@ -140,6 +140,8 @@ def _healthy_thrust_of_sample(
     thrust = float(x.demand[0])
     if m.spool_up[0] > 0.0:
         o.rotor_speed = next_rotor_speed(m, at, o.rotor_speed, x.demand[0], s.dt)
+        if o.other_rotor == NOT_YET:
+            o.other_rotor = rotor_speed_target(at, x.demand[0])
         o.other_rotor = other_rotor_speed(m, at, o.other_rotor, x.demand[0], s.dt)
         o.thrust_doubt = thrust_doubt(at, o.rotor_speed, o.other_rotor)
         now = healthy_thrust(at, o.rotor_speed, x.demand[0])

@@ -51,7 +51,7 @@ from ftc_jsb.isolation.redundancy import (
 from ftc_jsb.isolation.replacement import accept, exclude
 from ftc_jsb.isolation.self_test import attitude_jump, notice_readings, own_fault
 from ftc_jsb.isolation.surfaces import pick_off_of, start_surfaces, watch_surface
-from ftc_jsb.isolation.windows import add_block, begin_anew, empty_windows
+from ftc_jsb.isolation.windows import add_block, begin_anew, empty_windows, feel_load
 from ftc_jsb.point_mass.model import Condition
 from ftc_jsb.vocabulary.hypotheses import (
     FIRST_INSTRUMENT,
@@ -157,6 +157,7 @@ def isolate(
     w.filled += 1
     if w.filled * dt > BLOCK - 0.5 * dt:
         add_block(w, x.navigation.wind, effectiveness, thrust / m.mass, doubt / m.mass)
+        feel_load(w, x.signals[LOAD_Z])
         signatures(m, at, thrust, s.sizes, x)
         expect_biases(s.bias, x)
         weigh(s, x)

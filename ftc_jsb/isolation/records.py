@@ -76,6 +76,7 @@ WINDOWS = np.dtype(
         ("biased", float, (RESIDUALS,)),  # variance by the instruments' biases
         ("learned", np.int64),  # blocks in the baseline
         ("gust", float),  # power of the turbulence over that of moderate
+        ("pull", float),  # largest load factor of late, beside 1
         ("side_slope", float),  # load factor to the side, per rad of sideslip; 0 = not known
         ("slip_drag", float),  # deceleration by drag, per rad of sideslip [m/s^2]
         ("thrust", float),  # of the model over mass, lagged [m/s^2]

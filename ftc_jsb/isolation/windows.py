@@ -18,6 +18,8 @@ TRANSIENT_LAG = 3.0  # blocks
 SLIP_CALM = math.radians(0.03)  # what the sideslip that makes drag may be off by
 SLIP_GUST = math.radians(0.05)  # and in moderate turbulence
 BENT = 0.5  # of g times an angle that is wrong: what its drag may be off by
+UNLIKE = 0.003  # of a load factor: attitude, alignment and the Earth's turning, in another attitude
+PULL_MEMORY = 100.0  # blocks
 INEXACT = 0.1  # of a residual: what its signature may be off by
 
 
@@ -25,7 +27,7 @@ INEXACT = 0.1  # of a residual: what its signature may be off by
 def empty_windows(w: Windows) -> None:
     """Nothing seen, moderate turbulence."""
     w.filled, w.next, w.count, w.learned = 0, 0, 0, 0
-    w.gust = 1.0
+    w.gust, w.pull = 1.0, 0.0
     w.thrust, w.transient = math.nan, 0.0
     for k in range(RESIDUALS):
         w.total[k], w.baseline[k], w.biased[k] = 0.0, 0.0, 0.0
@@ -77,6 +79,12 @@ def add_block(
 
 
 @compiled
+def feel_load(w: Windows, load_factor: float) -> None:
+    """The largest load factor of the last ten seconds or so, beside 1; once a block."""
+    w.pull = max(w.pull * (1.0 - 1.0 / PULL_MEMORY), abs(load_factor - 1.0))
+
+
+@compiled
 def _feel_gusts(w: Windows, place: int) -> None:
     """Power of the turbulence, by what the air has changed in a second; one change counts for 9 at most."""
     before = (place - GUST_STEP + LONGEST) % LONGEST
@@ -112,6 +120,8 @@ def variance(s: IsolationSettings, w: Windows, span: int, k: int) -> float:
     """
     unknown = PRIOR / (PRIOR + w.learned)
     total = s.calm[span, k] + w.gust * s.gust[span, k] + unknown * (s.start[k] + w.biased[k])
+    if k < AIR_X:
+        total += (UNLIKE * STANDARD_GRAVITY * w.pull) ** 2
     if AIR_X <= k < AIR_X + 3:
         total += unknown * w.gust * WIND_VARIANCE
     elif k == FORCE:
