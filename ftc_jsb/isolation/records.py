@@ -36,6 +36,7 @@ ISOLATION_SETTINGS = np.dtype(
         ("start", float, (RESIDUALS,)),  # variance of what models are off by in a flight
         ("bias", float, (COUNT,)),  # standard deviation of what instruments are off by in a flight
         ("noise", float, (COUNT,)),  # standard deviation of readings; 0 = perfect
+        ("ordinary", float, (COUNT,)),  # the same, or that of a tactical one if that is more
         ("sizes", float, (ROWS,)),  # of faults that have to be reckoned with, standard deviation
         ("stale", float, (COUNT,)),  # [s] for which a reading that lives cannot stay the same
         ("tolerance", float, (COUNT,)),  # within which an excluded one agrees again

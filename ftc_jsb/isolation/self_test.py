@@ -40,9 +40,9 @@ def notice_readings(s: IsolationSettings, x: IsolationState, raw: Vector, dt: fl
             x.same[k] += dt
             continue
         x.same[k] = 0.0
-        if s.noise[k] > 0.0:
+        if s.ordinary[k] > 0.0:
             # the change of a change of independent readings has six times their variance
-            power = (change - x.change[k]) ** 2 / (6.0 * s.noise[k] ** 2)
+            power = (change - x.change[k]) ** 2 / (6.0 * s.ordinary[k] ** 2)
             most = MOST if ROLL_RATE <= k <= LOAD_Z else LEAST_MOST
             x.rough[k] += share * (min(power, most) - x.rough[k])
         x.change[k] = change
@@ -54,9 +54,10 @@ def own_fault(s: IsolationSettings, x: IsolationState, k: int) -> int:
     """Why instrument `k` cannot be believed by its own readings; ACCEPTED if it can."""
     if x.silent[k] > SILENT_TIME:
         return SILENT
-    if s.noise[k] > 0.0:
-        if x.same[k] > s.stale[k]:
-            return STALE
+    without = s.noise[k] == 0.0 and (k >= ELEVATOR or x.readings[k] == 0.0)
+    if x.same[k] > s.stale[k] and not without:  # what has no noise may stand still, or be nothing
+        return STALE
+    if s.ordinary[k] > 0.0:
         limit = ROUGH + ROUGH_BY_GUSTS * x.windows.gust
         if ROLL_RATE <= k <= LOAD_Z:  # an aircraft turns and pulls as suddenly as it is told to
             limit = ROUGH_OF_MOTION
@@ -72,4 +73,5 @@ def attitude_jump(
     """JUMPED where roll, pitch or yaw (axis 0 to 2) has moved otherwise than the gyros turned it."""
     n = x.navigation
     far = abs(wrapped(reading - x.euler[axis] - n.moving[axis] * dt))
-    return JUMPED if far > JUMP * math.sqrt(2.0) * s.noise[ROLL + axis] + LEAST_JUMP else ACCEPTED
+    rough = LEAST_JUMP * (1.0 + x.windows.gust)
+    return JUMPED if far > JUMP * math.sqrt(2.0) * s.noise[ROLL + axis] + rough else ACCEPTED

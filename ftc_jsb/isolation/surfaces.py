@@ -118,19 +118,24 @@ def _judge_surface(s: IsolationSettings, f: IsolationState, k: int, dt: float) -
     reason = ACCEPTED
     if f.rough > ROUGH and abs(1.0 - f.gain) < 3.0 * f.gain_std * math.sqrt(f.rough):
         reason = NOISY
-    elif f.away > SOON and _gain_clears(f, off):
-        reason = DISAGREES
-    elif f.away > MOVES_FIRST and f.gain_std > WELL_KNOWN:  # nothing has moved but the reading
-        reason = DISAGREES
+    elif f.away > SOON:
+        told = _by_gain(f, off, f.product_soon, f.square_soon)
+        if abs(told) < CLEAR and f.away > MOVES_FIRST:
+            told = math.copysign(CLEAR, _by_gain(f, off, f.product, f.square))
+        if told >= CLEAR:
+            reason = DISAGREES
+        elif told <= -CLEAR:
+            f.faulty, f.obeys = 1, 0.0
     return reason
 
 
 @compiled
-def _gain_clears(f: IsolationState, off: float) -> bool:
-    """Whether the gain is that of a surface that obeys rather than of one that is off by so much."""
+def _by_gain(f: IsolationState, off: float, product: float, square: float) -> float:
+    """Log likelihood ratio of a gain of 1 against that of a surface that is off by so much, or stuck."""
     lost = 0.0
     if abs(f.due) > abs(off):
         lost = min(max(1.0 + off / f.due, 0.0), 1.0 - LEAST_LOSS)
-    gain = f.product_soon / max(f.square_soon, 1.0)
-    apart = min((lost - gain) ** 2, gain**2) - (1.0 - gain) ** 2
-    return bool(0.5 * apart * f.square_soon > CLEAR)
+    if square < 1.0:
+        return 0.0
+    gain = product / square
+    return float(0.5 * square * (min((lost - gain) ** 2, gain**2) - (1.0 - gain) ** 2))

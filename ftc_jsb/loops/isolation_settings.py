@@ -104,6 +104,7 @@ def isolation_settings(
         unit = DEGREE if name in ANGLES else 1.0
         errors = sensors[name]
         s["noise"][index] = errors.noise * unit
+        s["ordinary"][index] = max(errors.noise, PROFILES["tactical"][name].noise) * unit
         s["bias"][index] = math.hypot(errors.bias, errors.bias_spread) * unit
         period = 1.0 / errors.rate if errors.rate > 0.0 else dt
         s["stale"][index] = max(STALE, STALE_PERIODS * period)
