@@ -26,7 +26,7 @@ from ftc_jsb.disturbance.sensors import sensor_errors
 from ftc_jsb.estimation.process import OUTPUTS
 from ftc_jsb.isolation.records import BLOCK
 from ftc_jsb.loops.isolation_settings import isolation_settings
-from ftc_jsb.loops.tuning import biases, covariances
+from ftc_jsb.loops.tuning import PATH_CHANNELS, biases, covariances
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.vocabulary.channels import CHANNELS
 
@@ -132,6 +132,9 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     tuned = covariances(sensor_errors(setup.sensors), dt)
     if tuned_by_sensors(loop):
         s["process_noise"][:3], s["measurement_noise"] = tuned.process, tuned.measurement
+        for place, channel in enumerate(estimator.channels, OUTPUTS):
+            if channel != "thrust":  # whose Q follows from the response time
+                s["process_noise"][place] = PATH_CHANNELS * dt
         s["initial_covariance"][:3] = tuned.measurement
         s["response_time"] = estimator.response_time
     if kind.robust or estimator.accelerometer:
