@@ -4,11 +4,14 @@ import os
 import subprocess
 import sys
 
+import numba
 import numpy as np
 import pytest
 
 from ftc_jsb.called_kernel import CalledLibrary
 from ftc_jsb.compiled import compile_called, compiled
+
+pytestmark = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
 
 
 @compiled

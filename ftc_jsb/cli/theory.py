@@ -44,23 +44,25 @@ def theory(
         analysis = analyse(case)
         first = is_first_run(f"{analysis.loop.kernels.package}.closed_loop")
         progress_line(
-            "flying" + ("; a new system is compiled first, half a minute" if first else "")
+            "flying" + ("; a new system is compiled first, some ten seconds" if first else "")
         )
         expected = foresee(analysis)
         for loop in LOOPS:  # written as it goes: an interruption loses nothing finished
             flights[loop] = flight = fly_case(analysis, loop, seed, expected)
             write_history(case, flight.history, folder / f"{loop}.nc")
             write_metrics(folder / "theory.json", document(analysis, flights))
+        if not as_json:
+            from ftc_jsb.report.terminal.theory import theory_lines
+
+            for line in theory_lines(analysis, flights):
+                click.echo(line)
         from ftc_jsb.report.figures.style import FORMATS, save
         from ftc_jsb.report.figures.theory import theory_figure
-        from ftc_jsb.report.terminal.theory import theory_lines
 
         formats = FORMATS if for_print else ("png",)
         save(theory_figure(analysis, flights), folder, "theory", formats)
     if as_json:
         print_json(document(analysis, flights))
     else:
-        for line in theory_lines(analysis, flights):
-            click.echo(line)
         click.echo(f"Written: {folder / 'theory.json'}, {folder / 'theory.png'}, a recording each")
     context.exit(DONE if flights["ftc"].whole else LIMIT_BROKEN)

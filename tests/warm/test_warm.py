@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 
+import numba
 import pytest
 
 from ftc_jsb.errors import UserError
@@ -54,6 +55,7 @@ def test_flight_needs_the_kernels_of_its_model_and_isolation_where_its_loop_isol
     assert needs(both) == (POINT_MASS, ISOLATING)
 
 
+@pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
 def test_first_flight_compiles_what_it_needs_once(tmp_path):
     """A cache of its own. Afterwards nothing is left to be compiled; of isolation nothing ever was.
 
