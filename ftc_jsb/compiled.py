@@ -16,14 +16,21 @@ from typing import Any, TypeVar, cast
 import numba
 import numpy as np
 
-from ftc_jsb.kernel_cache import KernelFiles, kernel_folders
+from ftc_jsb.called_kernel import CalledKernel
+from ftc_jsb.kernel_cache import CalledKernelFiles, KernelFiles, kernel_folders
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
+TRIED = ("0.68.",)  # versions of Numba whose inner workings `called_kernel` is known to fit
+
+
+def links_kernels() -> bool:
+    """Whether kernels that kernels call are linked, which a first flight gains by; else Numba's own way."""
+    return not is_switched_off() and numba.__version__.startswith(TRIED)
 
 
 def is_first_run(module: str) -> bool:
     """Whether the kernels of a module, as its source is now, have yet to be compiled here."""
-    return not _switched_off() and not any(
+    return not is_switched_off() and not any(
         folder.is_dir() and any(folder.iterdir()) for folder in kernel_folders(module)
     )
 
@@ -52,13 +59,22 @@ def compiled_in_memory(function: Kernel) -> Kernel:
 
 def _cached(function: Kernel, **options: Any) -> Kernel:
     made = _jitted(function, **options)
-    if not _switched_off():
-        cast(Any, made)._cache = KernelFiles(function)
+    if not is_switched_off():
+        dispatcher = cast(Any, made)
+        dispatcher._cache = KernelFiles(function)
+    if links_kernels():
+        dispatcher = cast(Any, made)
+        called: Any = CalledKernel(function, dispatcher.targetoptions)
+        called._cache = CalledKernelFiles(function)
+        dispatcher.called = called
+        # What Numba asks of a kernel when it compiles one that calls it
+        dispatcher.get_call_template = called.get_call_template
+        dispatcher.get_overload = called.get_overload
     return made
 
 
 def _jitted(function: Kernel, **options: Any) -> Kernel:
-    if _switched_off():
+    if is_switched_off():
         return _interpreted(function)
     return cast(Kernel, numba.njit(error_model="numpy", **options)(function))
 
@@ -69,7 +85,7 @@ def direct(kernel: Callable[..., Any], *example: Any) -> Callable[..., Any]:
     Skips Numba's type dispatch: 0.1 µs a call in place of 0.4 µs with structured arrays. The
     caller must pass arguments of the same types ever after.
     """
-    if _switched_off():
+    if is_switched_off():
         return kernel
     dispatcher = cast(Any, kernel)
     signature = tuple(map(_type_of, example))
@@ -77,8 +93,28 @@ def direct(kernel: Callable[..., Any], *example: Any) -> Callable[..., Any]:
     return cast(Callable[..., Any], dispatcher.overloads[signature].entry_point)
 
 
+def compile_called(kernel: Callable[..., Any], *example: Any) -> Any:
+    """Compile `kernel` as kernels call it, and leave it on the disk for them.
+
+    Args:
+        kernel: of `compiled` or `inlined`.
+        example: arguments, or what this function has returned for kernels that give them.
+
+    Returns:
+        Numba's type of what the kernel returns.
+    """
+    if is_switched_off():
+        return None
+    called = cast(Any, kernel).called if links_kernels() else cast(Any, kernel)
+    signature = tuple(map(_type_of, example))
+    called.compile(signature)
+    return called.overloads[signature].signature.return_type
+
+
 def _type_of(value: Any) -> Any:
     """Numba's type of a kernel's argument; of structured arrays, which it makes anew each time, once."""
+    if isinstance(value, numba.types.Type):
+        return value
     if isinstance(value, tuple):
         types = [_type_of(part) for part in value]
         return cast(Any, numba.types.BaseTuple).from_types(types, type(value))
@@ -94,7 +130,7 @@ def _type_of_records(dtype: np.dtype[Any], dimensions: int) -> Any:
     return cast(Any, numba.typeof)(np.zeros((1,) * dimensions, dtype))
 
 
-def _switched_off() -> bool:
+def is_switched_off() -> bool:
     """Whether Numba has been told to compile nothing."""
     return bool(cast(Any, numba.config).DISABLE_JIT)
 

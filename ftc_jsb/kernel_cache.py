@@ -17,6 +17,7 @@ import numba
 from numba.core.caching import Cache, CompileResultCacheImpl
 from numba.core.serialize import dumps
 
+from ftc_jsb.called_kernel import rebuilt
 from ftc_jsb.sources import source_digest
 from ftc_jsb.verified_cache import (
     cache_folders,
@@ -94,6 +95,15 @@ class KernelFiles(Cache):
         return f"{kernels_of(self._py_func.__module__)}/{self._impl.base}.{digest}{SUFFIX}"
 
 
+class CalledKernelFiles(KernelFiles):
+    """The cache of a kernel as other kernels call it."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        """Args: the kernel's Python function."""
+        super().__init__(function)
+        self._impl = _CalledConversion(function)
+
+
 class _Conversion(CompileResultCacheImpl):
     """Numba's conversion of compiled kernels, without its search for a folder."""
 
@@ -103,3 +113,12 @@ class _Conversion(CompileResultCacheImpl):
         self._locator = self  # whose `_py_file` a warning names
         plain = function.__qualname__.replace("<", "").replace(">", "")
         self.base = f"{Path(self._py_file).stem}.{plain}-{self._lineno}"
+
+
+class _CalledConversion(_Conversion):
+    def __init__(self, function: Callable[..., Any]) -> None:
+        super().__init__(function)
+        self.base += ".called"
+
+    def rebuild(self, target_context: Any, payload: Any) -> Any:
+        return rebuilt(target_context, payload)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+import ftc_jsb.sources as digests
 from ftc_jsb.sources import PACKAGE, source_digest, sources
 
 ROOT = PACKAGE.parent
@@ -131,3 +132,18 @@ def test_module_outside_the_package_is_its_file_and_what_it_takes_from_here():
     """This file imports `ftc_jsb.sources`; a module that was never imported has no sources."""
     assert sources(__name__) == sorted([Path(__file__), PACKAGE / "sources.py"])
     assert sources("no.such.module") == []
+
+
+def test_file_edited_under_a_running_process_names_nothing_of_others(monkeypatch):
+    """What runs may be the file as it was: kernels of it under the new one's name were flown by others."""
+    before = source_digest(SAMPLE)
+    monkeypatch.setattr(digests, "STARTED", 0.0)
+    for remembered in (digests._contents, digests._imported):
+        remembered.cache_clear()
+    try:
+        assert source_digest(SAMPLE) != before
+    finally:
+        monkeypatch.undo()
+        digests._contents.cache_clear()
+        digests._imported.cache_clear()
+    assert source_digest(SAMPLE) == before

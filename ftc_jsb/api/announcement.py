@@ -1,19 +1,36 @@
 """What a user of the package is told while something takes long: a line in a terminal, a bar in a notebook."""
 
 import sys
-from collections.abc import Iterable, Iterator, Sized
+from collections.abc import Iterable, Iterator, Sequence, Sized
 from html import escape
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:
+    from ftc_jsb.scenario.schema import Scenario
 
 Item = TypeVar("Item")
 
 
-def compiling() -> None:
-    """Compile the kernels if they have yet to be, and say so on the standard error."""
-    from ftc_jsb.warm import is_cold, warm
+def compiling(scenarios: "Iterable[Scenario] | None" = None) -> None:
+    """Compile kernels that have yet to be, and say so: a bar where somebody looks, else a line.
 
-    if is_cold():
-        warm(lambda text: print(text, file=sys.stderr, flush=True))
+    Args:
+        scenarios: that will be flown; None for any.
+    """
+    from ftc_jsb.warm import EVERYTHING, Flown, is_cold, needs, warm
+
+    wanted: Sequence[str] = EVERYTHING
+    if scenarios is not None:
+        wanted = needs(Flown(each.model, each.loop) for each in scenarios)
+    if not is_cold(wanted):
+        return
+    bar = Bar("Compiling the numerical kernels, once")
+    if not bar.shown:
+        print("Compiling the numerical kernels, once ...", file=sys.stderr, flush=True)
+    try:
+        warm(bar.show, wanted)
+    finally:
+        bar.close()
 
 
 class Bar:
@@ -30,6 +47,16 @@ class Bar:
 
             self._html: Any = HTML
             self._notebook = display(HTML(self._page("")), display_id=True)
+
+    @property
+    def shown(self) -> bool:
+        """Whether anybody sees it."""
+        return self._shown
+
+    def show(self, done: int, total: int, text: str) -> None:
+        """So many steps are done, of so many, and what is done now."""
+        self._done, self._total = done - 1, total
+        self.step(text)
 
     def step(self, text: str = "") -> None:
         """One step is done, or what is done now."""

@@ -102,6 +102,6 @@ def compare(
         changes["compare.loops"] = [loop_name(loop) for loop in loops]
     base = flown_scenario(scenario, None, None, changes)
     variants = [variant(base, m, loop) for m in base.compare.models for loop in base.compare.loops]
-    compiling()
+    compiling(variants)
     flights = (Flight(fly(each)) for each in tracked(variants, "Flights", progress))
     return Comparison({flight.label: flight for flight in flights})

@@ -35,7 +35,7 @@ def fly(
     from ftc_jsb.simulation.fly import fly as fly_scenario
 
     flown = flown_scenario(scenario, model, loop, set)
-    compiling()
+    compiling([flown])
     return Flight(fly_scenario(flown))
 
 

@@ -111,9 +111,10 @@ def identify(aircraft: str | PathLike[str], *, progress: bool | None = None) -> 
     """
     from ftc_jsb.aircraft.description import load_aircraft
     from ftc_jsb.identify.identification import identify as run
+    from ftc_jsb.identify.identification import steps
 
     loaded = load_aircraft(fspath(aircraft))
-    bar = Bar("Flight tests", shown=progress)
+    bar = Bar("Flight tests", steps(loaded), progress)
     try:
         return Identification(run(loaded, bar.step))
     finally:
@@ -141,11 +142,11 @@ def margins(
         UserError: no such scenario or aircraft, or it does not fly.
     """
     from ftc_jsb.margins.condition import level_scenario
-    from ftc_jsb.margins.measure import CHANNELS, channel_margins
+    from ftc_jsb.margins.measure import CHANNELS, STEPS, channel_margins
 
     flown = level_scenario(fspath(name), cast("schema.Model", model), airspeed, altitude)
     compiling()
-    bar = Bar("Margins", 3 * len(CHANNELS), progress)
+    bar = Bar("Margins", STEPS * len(CHANNELS), progress)
     try:
         return Margins(flown, [channel_margins(flown, each, bar.step) for each in CHANNELS])
     finally:

@@ -87,7 +87,7 @@ def sweep(
     import pandas
 
     cases = list(_cases(flown_scenario(scenario, None, None, set), values, models, loops))
-    compiling()
+    compiling([case.scenario for case in cases])
     rows = [_row(case) for case in tracked(cases, "Flights", progress)]
     return Sweep(cases, pandas.DataFrame(rows))
 

@@ -6,7 +6,8 @@ import click
 
 from ftc_jsb.cli.exit_codes import DONE, LIMIT_BROKEN
 from ftc_jsb.cli.options import Output, aircraft_argument, examples, output_options
-from ftc_jsb.cli.printing import message, progress_line
+from ftc_jsb.cli.printing import message
+from ftc_jsb.cli.task_bar import step_bar
 
 
 @examples(
@@ -23,12 +24,14 @@ def identify(aircraft: str, output: Output) -> None:
     """
     from ftc_jsb.aircraft.description import load_aircraft
     from ftc_jsb.identify.identification import identify as run
+    from ftc_jsb.identify.identification import steps
     from ftc_jsb.identify.judgement import shortcomings
     from ftc_jsb.identify.point_mass_contents import write_point_mass
 
     loaded = load_aircraft(aircraft)
     with output.folder(f"identify-{loaded.name}") as folder:
-        contents = run(loaded, progress_line)
+        with step_bar("Flight tests", steps(loaded)) as tell:
+            contents = run(loaded, tell)
         write_point_mass(folder / "point_mass.toml", contents)
     for key, value in contents["identification"].items():
         click.echo(f"{key}: {value}")

@@ -15,7 +15,8 @@ from ftc_jsb.cli.options import (
     json_option,
     output_options,
 )
-from ftc_jsb.cli.printing import print_json, progress_line
+from ftc_jsb.cli.printing import print_json
+from ftc_jsb.cli.task_bar import step_bar
 
 if TYPE_CHECKING:
     from ftc_jsb.scenario.schema import Model
@@ -60,7 +61,7 @@ def margins(
     from ftc_jsb.loops.code import refuse_code
     from ftc_jsb.margins.condition import level_scenario
     from ftc_jsb.margins.document import document
-    from ftc_jsb.margins.measure import CHANNELS, channel_margins
+    from ftc_jsb.margins.measure import CHANNELS, STEPS, channel_margins
     from ftc_jsb.runs.metrics_file import write_metrics
 
     flown = level_scenario(name, cast("Model", model), airspeed, altitude)
@@ -69,9 +70,10 @@ def margins(
     with output.folder(f"margins-{Path(name).stem}") as folder:
         announce(flown)
         found = []
-        for channel in CHANNELS:  # written as it goes: an interruption loses nothing finished
-            found.append(channel_margins(flown, channel, progress_line, amplitude))
-            write_metrics(folder / "margins.json", document(flown, found))
+        with step_bar("Margins", STEPS * len(CHANNELS)) as tell:
+            for channel in CHANNELS:  # written as it goes: an interruption loses nothing finished
+                found.append(channel_margins(flown, channel, tell, amplitude))
+                write_metrics(folder / "margins.json", document(flown, found))
         from ftc_jsb.report.figures.bode import bode_figure
         from ftc_jsb.report.terminal.margins import print_margins
 

@@ -13,10 +13,13 @@ from ftc_jsb.cli.printing import print_json, progress_line
 @click.command()
 @click.argument("name", metavar="NAME|FILE.py")
 @click.option("--seed", type=int, default=0, show_default=True, help="Of the noise.")
+@click.option("--print", "for_print", is_flag=True, help="Draw the figure as PDF and SVG, too.")
 @output_options
 @json_option
 @click.pass_context
-def theory(context: click.Context, name: str, seed: int, output: Output, as_json: bool) -> None:
+def theory(
+    context: click.Context, name: str, seed: int, for_print: bool, output: Output, as_json: bool
+) -> None:
     """Analyse a system, fly it with and without FTC, write theory.json, a figure and recordings.
 
     NAME is fighter, levitator, reactor, textbook or vessel; FILE.py defines CASE (docs/theory.md).
@@ -41,23 +44,25 @@ def theory(context: click.Context, name: str, seed: int, output: Output, as_json
         analysis = analyse(case)
         first = is_first_run(f"{analysis.loop.kernels.package}.closed_loop")
         progress_line(
-            "flying" + ("; a new system is compiled first, half a minute" if first else "")
+            "flying" + ("; a new system is compiled first, some ten seconds" if first else "")
         )
         expected = foresee(analysis)
         for loop in LOOPS:  # written as it goes: an interruption loses nothing finished
             flights[loop] = flight = fly_case(analysis, loop, seed, expected)
-            if flight.history is not None:
-                write_history(case, flight.history, folder / f"{loop}.nc")
+            write_history(case, flight.history, folder / f"{loop}.nc")
             write_metrics(folder / "theory.json", document(analysis, flights))
-        from ftc_jsb.report.figures.style import save
-        from ftc_jsb.report.figures.theory import theory_figure
-        from ftc_jsb.report.terminal.theory import theory_lines
+        if not as_json:
+            from ftc_jsb.report.terminal.theory import theory_lines
 
-        save(theory_figure(analysis, flights), folder, "theory")
+            for line in theory_lines(analysis, flights):
+                click.echo(line)
+        from ftc_jsb.report.figures.style import FORMATS, save
+        from ftc_jsb.report.figures.theory import theory_figure
+
+        formats = FORMATS if for_print else ("png",)
+        save(theory_figure(analysis, flights), folder, "theory", formats)
     if as_json:
         print_json(document(analysis, flights))
     else:
-        for line in theory_lines(analysis, flights):
-            click.echo(line)
-        click.echo(f"Written: {folder / 'theory.json'}, {folder / 'theory.pdf'}, a recording each")
-    context.exit(LIMIT_BROKEN if flights["ftc"].history is None else DONE)
+        click.echo(f"Written: {folder / 'theory.json'}, {folder / 'theory.png'}, a recording each")
+    context.exit(DONE if flights["ftc"].whole else LIMIT_BROKEN)

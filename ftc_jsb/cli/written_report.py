@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ftc_jsb.cli.printing import print_json
+from ftc_jsb.cli.task_bar import step_bar
 
 if TYPE_CHECKING:
     from ftc_jsb.recording.flight import Flight
@@ -34,11 +35,12 @@ def write_and_print(
     Raises:
         RecordingError: the folder cannot be written.
     """
-    from ftc_jsb.report.page.write import write_report
+    from ftc_jsb.report.page.write import steps, write_report
     from ftc_jsb.report.terminal.flights import print_effects, print_flights
 
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
-    document = write_report(flights, folder, command, unread, margins)
+    with step_bar("Report", steps(flights), lines=False) as tell:
+        document = write_report(flights, folder, command, unread, margins, tell)
     if as_json:
         print_json({**document, "report": str(folder / "report.html")})
     else:

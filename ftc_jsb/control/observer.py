@@ -81,14 +81,19 @@ def observe(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row: R
 
 @compiled
 def _set_process_noise(s: LoopSettings, m: ModelRecord, x: LoopState) -> None:
-    """Q of this sample: settings may be changed in flight."""
+    """Q of this sample: settings may be changed in flight.
+
+    The response time sets that of the thrust alone: what is seen of the force along the velocity tells
+    nothing of how load factor and bank may change, whose Q is that of the settings.
+    """
     o = x.observer
     for a in range(o.filter.count):
         o.process_noise[a] = s.process_noise[a]
-        if a >= OUTPUTS and s.response_time > 0.0:
-            o.process_noise[a] = _effectiveness_noise(s, m, o.trim_thrust, o.noise_seen)
-            if o.blind == 1:
-                o.process_noise[a] = 0.0
+    place = place_of_channel(o.filter, THRUST)
+    if place >= 0 and s.response_time > 0.0:
+        o.process_noise[place] = _effectiveness_noise(s, m, o.trim_thrust, o.noise_seen)
+        if o.blind == 1:
+            o.process_noise[place] = 0.0
 
 
 @compiled

@@ -6,7 +6,7 @@ takes the effectiveness from. It reads one row of the recording and writes its d
 
 from ftc_jsb.compiled import compiled
 from ftc_jsb.control.attainment import record_attainment
-from ftc_jsb.control.believed_readings import isolate_faults
+from ftc_jsb.control.believed_readings import isolate_if_asked
 from ftc_jsb.control.decision import (
     demand_of_law,
     drag_beyond_polar,
@@ -44,8 +44,7 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
         i: row; 0 starts the loop.
     """
     s, m, x, row = loop.settings[0], loop.model[0], loop.state[0], record[i]
-    if s.isolation.enabled == 1:
-        isolate_faults(s, m, x, row, i)
+    isolate_if_asked(loop.isolates, s, m, x, row, i)
     update_known_state(s, x, row, i)
     at = at_condition(m, x.known.state[0], x.known.altitude)
     if i == 0:

@@ -120,3 +120,6 @@ class LoopArrays(NamedTuple):
     settings: npt.NDArray[Any]  # (1,) LOOP_SETTINGS
     model: npt.NDArray[Any]  # (1,) MODEL that the loop counts on
     state: npt.NDArray[Any]  # (1,) LOOP_STATE
+    isolates: bool | None = (
+        None  # None: faults are not isolated, and the kernels of that not compiled
+    )

@@ -26,6 +26,14 @@ IN_GUSTS = 0.2  # that a sample in gusts counts, beside one in still air
 SHORTEST = 100  # samples of a test flight that is worth keeping
 
 
+PLANS = (  # as `FlownTests` has them
+    manoeuvres.training,
+    manoeuvres.training_in_gusts,
+    manoeuvres.held_out,
+    manoeuvres.held_out_in_gusts,
+)
+
+
 def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
     """Fly the tests, fit, and measure the fit on flights that it has not seen.
 
@@ -45,14 +53,17 @@ def identify(aircraft: Aircraft, progress: Progress) -> dict[str, Any]:
     def flown(plan: Callable[..., Any]) -> tuple[list[npt.NDArray[Any]], int]:
         return _fly(aircraft, sheet.area, plan, progress)
 
-    training, without = flown(manoeuvres.training)
-    gusty, more = flown(manoeuvres.training_in_gusts)
-    held_out, other = flown(manoeuvres.held_out)
-    held_out_gusty, rest = flown(manoeuvres.held_out_in_gusts)
-    tests = FlownTests(training, gusty, held_out, held_out_gusty, without + more + other + rest)
+    recorded, without = zip(*map(flown, PLANS), strict=True)
+    training, gusty, held_out, held_out_gusty = recorded
+    tests = FlownTests(training, gusty, held_out, held_out_gusty, sum(without))
     fitted = [*tests.fitted, *tests.fitted_in_gusts]
     progress(f"fitting {sum(map(len, fitted)) * DT:.0f} s of flight")
     return contents(aircraft, sheet, tests, _fit(aircraft, sheet.area, tests))
+
+
+def steps(aircraft: Aircraft) -> int:
+    """How often `identify` says what is being done: once a flight, and for the fit."""
+    return 1 + sum(sum(1 for _ in plan(aircraft.flight_test)) for plan in PLANS)
 
 
 def _fit(aircraft: Aircraft, area: float, tests: FlownTests) -> FittedModel:

@@ -26,7 +26,7 @@ from ftc_jsb.disturbance.sensors import sensor_errors
 from ftc_jsb.estimation.process import OUTPUTS
 from ftc_jsb.isolation.records import BLOCK
 from ftc_jsb.loops.isolation_settings import isolation_settings
-from ftc_jsb.loops.tuning import biases, covariances
+from ftc_jsb.loops.tuning import PATH_CHANNELS, biases, covariances
 from ftc_jsb.scenario.loop import Loop
 from ftc_jsb.vocabulary.channels import CHANNELS
 
@@ -76,7 +76,9 @@ class CompiledLoop:
 
     def __init__(self, setup: LoopSetup, model: npt.NDArray[Any], record: npt.NDArray[Any]) -> None:
         """Args: a loop in BUILT_IN and what it is built from; (1,) MODEL; recording."""
-        self.arrays = LoopArrays(loop_settings(setup, model), model, np.zeros(1, LOOP_STATE))
+        possible = isolates(setup.settings) and model[0]["measured_mach_count"] > 0
+        settings, state = loop_settings(setup, model), np.zeros(1, LOOP_STATE)
+        self.arrays = LoopArrays(settings, model, state, True if possible else None)
         channels = setup.settings.estimator.channels
         filters = self.arrays.state[0]["observer"]["filter"]
         filters["count"] = OUTPUTS + len(channels)
@@ -130,6 +132,9 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     tuned = covariances(sensor_errors(setup.sensors), dt)
     if tuned_by_sensors(loop):
         s["process_noise"][:3], s["measurement_noise"] = tuned.process, tuned.measurement
+        for place, channel in enumerate(estimator.channels, OUTPUTS):
+            if channel != "thrust":  # whose Q follows from the response time
+                s["process_noise"][place] = PATH_CHANNELS * dt
         s["initial_covariance"][:3] = tuned.measurement
         s["response_time"] = estimator.response_time
     if kind.robust or estimator.accelerometer:
@@ -149,12 +154,16 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["detector_margin"] = detector.margin
     s["detector_sigmas"] = detector.sigmas
     s["detector_hold"] = detector.hold
-    enabled = kind.robust if loop.isolation.enabled is None else loop.isolation.enabled
     comparable = model[0]["measured_mach_count"] > 0 and dt <= BLOCK
     s["isolation"] = isolation_settings(
-        sensor_errors(setup.sensors), enabled and comparable, loop.isolation.false_alarms, dt
+        sensor_errors(setup.sensors), isolates(loop) and comparable, loop.isolation.false_alarms, dt
     )
     return settings
+
+
+def isolates(loop: Loop) -> bool:
+    """Whether a built-in loop is asked to isolate faults: by its settings, else by its kind."""
+    return BUILT_IN[loop.name].robust if loop.isolation.enabled is None else loop.isolation.enabled
 
 
 def bank_share(loop: Loop, model: npt.NDArray[Any]) -> float:

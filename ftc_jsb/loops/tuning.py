@@ -2,8 +2,9 @@
 
 Nothing here is tuned to a scenario. R is the noise of the instruments that make up each output. Q
 is what the process model leaves out: the gusts of a design turbulence, as the random walk that the
-Dryden spectra are at high frequency. The Q of an effectiveness follows from the time in which a loss
-shall be followed (`response_time`); it is set where the flight starts, from the thrust of trim.
+Dryden spectra are at high frequency. The Q of the thrust's effectiveness follows from the time in which a loss
+shall be followed (`response_time`); it is set where the flight starts, from the thrust of trim. Load factor and
+bank are told from angles, which gusts turn too: their Q is what measurement has shown.
 """
 
 import math
@@ -21,6 +22,9 @@ DRAG_ANGLES = (
     "elevator_position",
     "flap_position",
 )  # drag is measured by them
+# [1/s]: variance that the effectiveness of load factor and of bank gains. Losses of 0.7 of either in moderate
+# turbulence by tactical sensors are followed best by it: ten times as much is noise, a tenth is late.
+PATH_CHANNELS = 1e-3
 LEAST = 1e-10  # a variance that stands for none: the one printed in the paper
 
 

@@ -20,6 +20,7 @@ from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.vocabulary.channels import Channel
 
 CHANNELS: tuple[Channel, ...] = ("thrust", "load_factor", "bank_angle")
+STEPS = 3  # that `channel_margins` tells of
 # RMS of the injection and size of the step: so small that no limit and no rate limit is met
 AMPLITUDE = {"thrust": 20.0, "load_factor": 0.005, "bank_angle": 0.005}  # [N], [-], [rad]
 SETTLE = 10.0  # [s] of flight before anything is perturbed

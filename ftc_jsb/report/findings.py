@@ -1,6 +1,6 @@
 """Every number that a report shows, as `metrics.json` holds it; and the series behind its charts."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -29,18 +29,24 @@ class Findings(NamedTuple):
     problems: list[str]  # what could not be found, and why
 
 
-def analyse(flights: Flights, margins: Sequence[MeasuredMargins] = ()) -> Findings:
+def analyse(
+    flights: Flights,
+    margins: Sequence[MeasuredMargins] = (),
+    tell: Callable[[str], None] = lambda _: None,
+) -> Findings:
     """Analyse flights one by one and against each other; what fails is said and stops nothing else.
 
     Args:
         flights: by label.
         margins: measured apart, for the flights that they are of.
+        tell: told which flight is begun.
     """
     problems: list[str] = []
     residuals: dict[str, Residuals] = {}
     proofs: dict[str, LyapunovBound] = {}
     metrics: dict[str, Metrics] = {}
     for label, flight in flights.items():
+        tell(f"analysis of {label}")
         entry = {**flight_metrics(flight), **margins_of(flight, margins)}
         entry["response"] = command_following_metrics(flight)
         try:

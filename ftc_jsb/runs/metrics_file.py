@@ -2,14 +2,16 @@
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ftc_jsb.analysis.metrics import Metrics
 from ftc_jsb.atomic_file import write_text
 from ftc_jsb.runs.finite_numbers import finite
 
+if TYPE_CHECKING:
+    from ftc_jsb.analysis.metrics import Metrics
 
-def document(metrics: dict[str, Metrics]) -> dict[str, Any]:
+
+def document(metrics: "dict[str, Metrics]") -> dict[str, Any]:
     """The contents of `metrics.json`."""
     return {"flights": {label: finite(entry) for label, entry in metrics.items()}}
 

@@ -13,7 +13,7 @@ import numpy as np
 from ftc_jsb.errors import RecordingError, TheoryError
 from ftc_jsb.theory.bounds import Bounds
 from ftc_jsb.theory.case import Case
-from ftc_jsb.theory.closed_loop import ClosedLoop, History, Loop
+from ftc_jsb.theory.closed_loop import ClosedLoop, FlightEndedError, History, Loop
 from ftc_jsb.theory.constants import ProofConstants
 from ftc_jsb.theory.derived import derive
 from ftc_jsb.theory.linearization import Linearization
@@ -37,11 +37,12 @@ class Analysis(NamedTuple):
 
 
 class TheoryFlight(NamedTuple):
-    """A flight of the case by one loop, or why there is none."""
+    """A flight of the case by one loop, whole or up to where it could not go on."""
 
-    history: History | None
-    proof: LyapunovBound | None  # None: the plant is not the model, or nothing could be predicted
-    problem: str  # why one of them is None
+    history: History
+    proof: LyapunovBound | None  # None: not whole, another plant, or nothing could be predicted
+    problem: str  # why there is no proof
+    whole: bool = True
 
 
 def load_case(name: str) -> Case:
@@ -103,7 +104,7 @@ def foresee(analysis: Analysis) -> Expected | str:
 
 
 def fly_case(analysis: Analysis, name: Loop, seed: int, expected: Expected | str) -> TheoryFlight:
-    """Fly by one loop; a flight that ends early is told, not raised.
+    """Fly by one loop; a flight that ends early is told, not raised, and kept as far as it went.
 
     Args:
         analysis: of the case.
@@ -122,8 +123,8 @@ def fly_case(analysis: Analysis, name: Loop, seed: int, expected: Expected | str
             known = (analysis.constants, expected)
             history, proof = fly_and_prove(loop, task, settings, conditions, known)
             return TheoryFlight(history, proof, "")
-    except TheoryError as error:
-        return TheoryFlight(None, None, str(error))
+    except FlightEndedError as error:
+        return TheoryFlight(error.history, None, str(error), whole=False)
 
 
 @contextmanager
@@ -168,13 +169,13 @@ def document(analysis: Analysis, flights: dict[str, TheoryFlight]) -> dict[str, 
 
 
 def _flight_document(flight: TheoryFlight) -> dict[str, Any]:
-    if flight.history is None:
-        return {"problem": flight.problem}
     error = flight.history.error
     entry: dict[str, Any] = {
         "rms_error": np.sqrt(np.mean(error**2, axis=0)).tolist(),
         "largest_error": np.abs(error).max(axis=0).tolist(),
     }
+    if not flight.whole:
+        entry |= {"problem": flight.problem, "end_time": float(flight.history.time[-1])}
     if flight.proof is not None:
         entry["proof"] = {
             "decay_rate": flight.proof.rate,

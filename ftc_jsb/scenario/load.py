@@ -9,7 +9,7 @@ from pydantic import ValidationError
 
 from ftc_jsb.bounded_file import is_file, is_folder
 from ftc_jsb.errors import ScenarioError
-from ftc_jsb.resources import shipped
+from ftc_jsb.resources import aircraft_names, shipped
 from ftc_jsb.scenario.keys import with_value
 from ftc_jsb.scenario.schema import DESCRIPTION_LENGTH, TITLE_LENGTH, Scenario
 from ftc_jsb.suggestion import did_you_mean
@@ -63,8 +63,12 @@ def file_or_shipped(name: str, folder: Path, kind: str) -> Path:
     if path.suffix == ".toml" or path.name != name:
         raise ScenarioError(f"{name}: no such file; expected the path of a {kind} (.toml)")
     known = sorted(each.stem for each in folder.glob("*.toml"))
+    aircraft = next((each for each in aircraft_names() if each.lower() == name.lower()), None)
+    nearest = did_you_mean(name, known)
+    if aircraft is not None:
+        nearest = f" ({name} is an aircraft: fly a scenario with --set aircraft.name={aircraft})"
     raise ScenarioError(
-        f"no {kind} {name!r}{did_you_mean(name, known)}; shipped are {', '.join(known)}; "
+        f"no {kind} {name!r}{nearest}; shipped are {', '.join(known)}; "
         "or give the path of a .toml file"
     )
 

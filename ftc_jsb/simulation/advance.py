@@ -34,7 +34,8 @@ def advance(flown: Assembly, observers: Sequence[Observer]) -> tuple[Advance, in
 
 
 def _stretches(plant: PointMassPlant, loop: CompiledLoop, flown: Assembly) -> Advance:
-    flight = PointMassFlight(flown.inputs, loop.arrays, plant.arrays)
+    # A point mass has no gyros and no surfaces: nothing is isolated, whatever the settings say.
+    flight = PointMassFlight(flown.inputs, loop.arrays._replace(isolates=None), plant.arrays)
     pace = (plant.dt, plant.substeps)
     run = direct(point_mass_flight, flight, 0, 1, *pace)
 

@@ -132,7 +132,7 @@ def fly_cases(cases: Cases, record: Records, table: Numbers, dt: float, result: 
         instruments = Instruments(cases.sensors[one], cases.faults[c], record, table)
         flight = PointMassFlight(
             LoopInputs(instruments, cases.command_filter[one], cases.altitude_hold[one]),
-            LoopArrays(cases.settings[one], model, cases.loop[one]),
+            LoopArrays(cases.settings[one], model, cases.loop[one], None),
             PointMassArrays(model, cases.wind[one], cases.plant[one]),
         )
         last, reason = point_mass_flight(flight, 0, record.size, dt, cases.substeps[c])

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ftc_jsb.errors import ScenarioError
-from ftc_jsb.loops.built_in import BUILT_IN
+from ftc_jsb.loops.built_in import BUILT_IN, isolates
 from ftc_jsb.scenario.load import override_scenario
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.admissible_faults import refuse_unflyable
@@ -58,3 +58,7 @@ def _refuse_other_states(scenario: Scenario, changed: Scenario) -> None:
             before, after = getattr(before, part), getattr(after, part)
         if before != after:
             raise ScenarioError(f"loop.{key}: cannot change in flight")
+    if isolates(other) and not isolates(one):
+        raise ScenarioError(
+            "loop.isolation.enabled: cannot be switched on in flight; isolation learns from the start"
+        )

@@ -75,6 +75,15 @@ class Conditions(NamedTuple):
 NOTHING_ELSE = Conditions()
 
 
+class FlightEndedError(TheoryError):
+    """A flight that could not go on, with what was flown."""
+
+    def __init__(self, text: str, history: History) -> None:
+        """Args: why and when; the rows before that."""
+        super().__init__(text)
+        self.history = history
+
+
 class ClosedLoop:
     """A system with its law, filter and plant, compiled."""
 
@@ -123,8 +132,8 @@ class ClosedLoop:
             conditions: noise, limits and other faults.
 
         Raises:
-            TheoryError: G of (14) is singular on the way, a covariance is no longer positive
-                definite, or the state leaves the finite numbers; says where.
+            FlightEndedError: G of (14) is singular on the way, a covariance is no longer positive
+                definite, or the state leaves the finite numbers; says where, and has what was flown.
         """
         warn_of_zero_dynamics(self.linearization, initial, trim)
         history, world = self._prepare(reference, effectiveness, duration, settings, conditions)
@@ -135,9 +144,8 @@ class ClosedLoop:
             history,
         )
         if status != SOLVED:
-            raise TheoryError(
-                self._explain(status, row, history, settings) + self._since(row, history)
-            )
+            why = self._explain(status, row, history, settings) + self._since(row, history)
+            raise FlightEndedError(why, _up_to(row, history))
         return history
 
     def _prepare(
@@ -245,6 +253,13 @@ class ClosedLoop:
             f"moves no output of its own there, or too little of it; state {where}, u_n "
             f"{history.trim[row].tolist()}"
         )
+
+
+def _up_to(row: int, history: History) -> History:
+    """The rows of a flight that were flown whole, the last at `row` or before; at least one."""
+    whole = np.isfinite(history.error[: row + 1]).all(axis=1)
+    rows = row + 1 if whole.all() else max(int(np.argmin(whole)), 1)
+    return History(*(column[:rows] for column in history))
 
 
 def filter_settings(settings: Settings) -> FilterSettings:

@@ -66,6 +66,13 @@ def test_what_cannot_change_in_flight_is_refused(values, says):
         _flown("paper").at(AT).branch(set=values)
 
 
+def test_isolation_cannot_begin_in_flight():
+    """It learns from the first sample on; begun later, it used to do nothing."""
+    flight = ftc.fly("paper", loop="ftc", set={"duration": 2.0})
+    with pytest.raises(ftc.UserError, match=r"loop\.isolation\.enabled: cannot be switched on"):
+        flight.at(1.0).branch(set={"loop.isolation.enabled": True})
+
+
 @pytest.mark.parametrize("time", [0.0, -1.0, 10.0, 50.0])
 def test_a_moment_lies_inside_the_flight(time):
     with pytest.raises(ftc.UserError, match="not inside the flight"):

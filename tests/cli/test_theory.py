@@ -34,7 +34,28 @@ def test_example_of_the_page_is_analysed_and_flown(tmp_path):
             if loop == "ftc":
                 assert flight["effectiveness_u_est"][-1] == pytest.approx(0.7, abs=0.01)
     assert largest["ftc"] < 0.1 * largest["no-ftc"]
-    assert (tmp_path / "out" / "theory.pdf").is_file()
+    assert (tmp_path / "out" / "theory.png").is_file()
+    assert not (
+        tmp_path / "out" / "theory.pdf"
+    ).exists()  # with --print; half of the command's time
+
+
+def test_flight_that_cannot_go_on_leaves_what_was_flown(tmp_path):
+    """The same pendulum asked for more than its torque: 𝓖 goes to zero with tanh, on the way."""
+    file = tmp_path / "pendulum.py"
+    text = PAGE.read_text().split("```python")[1].split("```")[0]
+    text = text.replace("(sp.sin(2 * TIME) / 2,)", "(sp.sin(2 * TIME) / 2 + TIME**3 / 20,)")
+    limits = next(line for line in text.splitlines() if "conditions=" in line)
+    file.write_text(text.replace(limits, ""))
+    done = run("theory", str(file), "--out", str(tmp_path / "out"), cwd=tmp_path)
+    assert done.returncode == 1, done.stderr
+    found = json.loads((tmp_path / "out" / "theory.json").read_text())["flights"]["ftc"]
+    assert "G of (14) is singular" in found["problem"]
+    with netCDF4.Dataset(tmp_path / "out" / "ftc.nc") as flight:
+        assert 0.1 < found["end_time"] < 14.0
+        assert float(flight["time"][-1]) == found["end_time"]
+        assert np.isfinite(flight["error_0"][:].filled(np.nan)).all()
+    assert (tmp_path / "out" / "theory.png").is_file()
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ def test_shipped_case_is_tracked_through_its_losses(name, index):
     assert analysis.linearization.index == index
     expected = foresee(analysis)
     flown = {loop: fly_case(analysis, loop, 0, expected) for loop in ("ftc", "no-ftc")}
-    history, proof, _ = flown["ftc"]
+    history, proof = flown["ftc"].history, flown["ftc"].proof
     states = len(analysis.case.system.states)
     np.testing.assert_allclose(history.estimate[-1, states:], history.effectiveness[-1], atol=0.02)
     rms = {loop: np.sqrt((each.history.error**2).mean(axis=0)) for loop, each in flown.items()}

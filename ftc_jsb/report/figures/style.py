@@ -1,5 +1,6 @@
 """What the figures for print share: sizes, fonts, line styles, and how they are saved."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -53,13 +54,13 @@ def width(columns: int) -> float:
     return COLUMN if columns == 1 else PAGE * max(columns, 3) / 3.0
 
 
-def save(figure: Figure, folder: Path, name: str) -> None:
-    """Write a figure in every format, the same bytes every time, and close it."""
+def save(figure: Figure, folder: Path, name: str, formats: Sequence[str] = FORMATS) -> None:
+    """Write a figure in the formats, the same bytes every time, and close it."""
     dates = {"pdf": "CreationDate", "svg": "Date"}
     with mpl.rc_context(RC):
         figure.draw_without_rendering()  # lays out, once for all formats
         figure.set_layout_engine("none")
-        for suffix in FORMATS:
+        for suffix in formats:
             metadata = {dates[suffix]: None} if suffix in dates else None
             with atomic_file(folder / f"{name}.{suffix}") as part:
                 figure.savefig(part, format=suffix, dpi=300, metadata=metadata)

@@ -15,13 +15,11 @@ def theory_figure(analysis: Analysis, flights: dict[str, TheoryFlight]) -> Figur
     outputs, inputs = case.system.outputs, case.system.inputs
     rows = max(len(outputs), len(inputs)) + 1
     places = np.cumsum([0, *linear.index[:-1]])
-    flown = {name: flight for name, flight in flights.items() if flight.history is not None}
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(rows, 2, figsize=(7.16, 1.3 * rows + 0.6), sharex=True)
         figure.suptitle(case.title, fontsize=8.5)
-        for (name, flight), style in zip(flown.items(), STYLES, strict=False):
+        for (name, flight), style in zip(flights.items(), STYLES, strict=False):
             history = flight.history
-            assert history is not None
             for row, place in enumerate(places):
                 values = history.error[:, place] + history.reference[:, place]
                 grid[row, 0].plot(history.time, values, label=name, **style)

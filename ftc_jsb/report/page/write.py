@@ -1,6 +1,6 @@
 """The report: one self-contained HTML file, its figures, and the numbers beside it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,15 @@ from ftc_jsb.report.page.contents import page_contents
 from ftc_jsb.runs.metrics_file import write_metrics
 
 
+def _silent(_text: str) -> None:
+    """Nobody asks how far the report is."""
+
+
+def steps(flights: Flights) -> int:
+    """How often `write_report` says what it begins."""
+    return len(flights) + 3
+
+
 @np.errstate(all="ignore")  # what overflows in a recording is null, and nothing to be seen
 def write_report(
     flights: Flights,
@@ -28,6 +37,7 @@ def write_report(
     command: str,
     unread: tuple[str, ...] = (),
     margins: Sequence[MeasuredMargins] = (),
+    tell: Callable[[str], None] = _silent,
 ) -> dict[str, Any]:
     """Write `report.html`, `metrics.json` and `figures/` for flights by label.
 
@@ -37,6 +47,7 @@ def write_report(
         command: as typed, for the foot of the report.
         unread: what is wrong with recordings that could not be read.
         margins: of `ftc-jsb margins`, for the flights that they are of.
+        tell: told what is begun, as often as `steps` says.
 
     Returns:
         The contents of `metrics.json`.
@@ -44,7 +55,8 @@ def write_report(
     Raises:
         RecordingError: the folder cannot be written.
     """
-    findings = analyse(flights, margins)
+    findings = analyse(flights, margins, tell)
+    tell("charts")
     series = flight_series(flights, findings)
     findings.document["samples_per_point"] = {label: s.every for label, s in series.items()}
     environment = jinja2.Environment(
@@ -56,7 +68,9 @@ def write_report(
     )
     try:
         write_metrics(folder / "metrics.json", findings.document)
+        tell("figures")
         drawn = draw_all(flights, folder / "figures")
+        tell("page")
         contents = page_contents(flights, findings, series, unread)
         page = environment.get_template("report.html").render(
             **contents, command=command, figures=drawn, formats=FORMATS, script=_embedded()

@@ -34,8 +34,8 @@ def theory_lines(analysis: Analysis, flights: dict[str, TheoryFlight]) -> Iterat
 
 
 def _flight_words(flight: TheoryFlight) -> str:
-    if flight.history is None:
-        return flight.problem
+    if not flight.whole:
+        return f"flown to {flight.history.time[-1]:.3f}; {flight.problem}"
     words = f"largest |e| {_each(np.abs(flight.history.error).max(axis=0))}"
     if flight.proof is None:
         return f"{words}; {flight.problem}"

@@ -17,7 +17,7 @@ from ftc_jsb.report.findings import analyse
 from ftc_jsb.report.measured_margins import read_margins
 from ftc_jsb.report.page.chart_series import flight_series
 from ftc_jsb.report.page.charts import charts
-from ftc_jsb.report.page.write import write_report
+from ftc_jsb.report.page.write import steps, write_report
 
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 APART = ("script", "style", "pre", "code", "nav")  # not words on the page
@@ -233,7 +233,10 @@ def test_flight_of_a_few_samples_is_drawn(flown, tmp_path, rows):
         record=flight.record[:rows],
         outcome=flight.outcome._replace(status="failed", time=0.0, reason="loop"),
     )
-    write_report({"few": few, "all": flown("paper")}, tmp_path, "ftc-jsb report")
+    told, flights = [], {"few": few, "all": flown("paper")}
+    write_report(flights, tmp_path, "ftc-jsb report", tell=told.append)
+    assert len(told) == steps(flights)  # so that the bar reaches its end
+    assert told[:2] == ["analysis of few", "analysis of all"]
     assert "failed" in (tmp_path / "report.html").read_text()
 
 
