@@ -68,6 +68,7 @@ OBSERVER = np.dtype(  # what was flown and estimated
         ("rotor_speed", float),  # of the healthy engine that the loop imagines
         ("thrust", float),  # that engine's thrust [N]
         ("trim_thrust", float),  # [N], at the start
+        ("fuel_flow", float),  # that it is believed to burn [kg/s]
         ("drag_coefficient", float),  # measured, of the previous sample
         ("alpha", float),  # [rad], likewise
         ("load_factor", float),
