@@ -15,6 +15,7 @@ from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.load import load_scenario, scenario_names
 from validation import envelope, instruments, isolation, margins, missions, transports
 from validation.campaigns import robustness_section
+from validation.check_cases import section as check_cases
 from validation.cost import cost_table, long_flights
 from validation.fighters import SCENARIOS, fighters_table
 from validation.flights import measured, random_manoeuvre
@@ -256,6 +257,7 @@ SECTIONS = tuple(
             "second or more before the limit breaks; thrust enough: neither.",
             robustness_section,
         ),
+        (check_cases.TITLE, check_cases.WORDS, check_cases.check_cases_section),
         (
             "Cost of a step",
             "Called from Python, median of 7 times 20 000 calls on the machine of this page.",
