@@ -14,11 +14,12 @@ from ftc_jsb.errors import UserError
 from ftc_jsb.recording.provenance import versions
 from ftc_jsb.scenario.load import load_scenario, scenario_names
 from validation import envelope, instruments, margins, missions, transports
-from validation.isolation import table as isolation
 from validation.campaigns import robustness_section
+from validation.check_cases import section as check_cases
 from validation.cost import cost_table, long_flights
 from validation.fighters import SCENARIOS, fighters_table
 from validation.flights import measured, random_manoeuvre
+from validation.isolation import table as isolation
 from validation.robust import false_alarms_table, fighters_robust_table, robust_table
 from validation.theory import (
     bounds_table,
@@ -257,6 +258,7 @@ SECTIONS = tuple(
             "second or more before the limit breaks; thrust enough: neither.",
             robustness_section,
         ),
+        (check_cases.TITLE, check_cases.WORDS, check_cases.check_cases_section),
         (
             "Cost of a step",
             "Called from Python, median of 7 times 20 000 calls on the machine of this page.",

@@ -31,6 +31,28 @@ class Mass(Section):
     gravity: Annotated[float, Field(ge=9.0, le=10.5)] = 9.80665  # m/s2
 
 
+class FuelFlow(Section):
+    """What the engines burn; without it the mass stays. See `point_mass.fuel`."""
+
+    dry: Annotated[float, Field(ge=0.0, le=1e-3)]  # kg/(N s), at military thrust and 15 deg C
+    part_power: Annotated[float, Field(ge=0.0, le=10.0)]  # more of it, times (1 - N)^2
+    reheat: Annotated[float, Field(ge=0.0, le=1e-3)]  # kg/(N s)
+    idle: Annotated[float, Field(ge=1e-6, le=100.0)]  # kg/s, the least
+    rise_dry: Annotated[float, Field(ge=1e-6, le=1e6)]  # kg/s2, the fastest change of the flow
+    rise_reheat: Annotated[float, Field(ge=1e-6, le=1e6)]  # kg/s2
+    fall: Annotated[float, Field(ge=1e-6, le=1e6)]  # kg/s2
+
+    @property
+    def coefficients(self) -> tuple[float, float, float, float]:
+        """As `fuel.settled_fuel_flow` takes them."""
+        return self.dry, self.part_power, self.reheat, self.idle
+
+    @property
+    def rates(self) -> tuple[float, float, float]:
+        """As `fuel.burn_fuel` takes them."""
+        return self.rise_dry, self.rise_reheat, self.fall
+
+
 class LoadFactor(Section):
     """Limits of the load factor command."""
 
@@ -83,6 +105,7 @@ class PointMass(Section):
     load_factor: LoadFactor
     aerodynamics: Aerodynamics
     thrust: Thrust
+    fuel_flow: FuelFlow | None = None
     measured_drag: MeasuredDrag | None = None
     measured_lift: MeasuredLift | None = None
     side_force: SideForce | None = None

@@ -11,6 +11,9 @@ from ftc_jsb.point_mass.model import MODEL
 # array, the rest stays 0; a part that the file does not have leaves its fields 0.
 VALUES = {
     "gravity": "mass.gravity",
+    "mass_empty": "mass.empty",
+    "fuel_flow": "fuel_flow.coefficients",
+    "fuel_flow_rate": "fuel_flow.rates",
     "area": "aerodynamics.area",
     "load_factor_min": "load_factor.minimum",
     "load_factor_max": "load_factor.maximum",
@@ -81,7 +84,7 @@ def model_record(point_mass: Any, mass: float) -> npt.NDArray[Any]:
         mass: at the start of the flight [kg], which the file does not have: it goes by the fuel.
     """
     model = np.zeros(1, MODEL)
-    model["mass"] = mass
+    model["mass"] = model["mass_start"] = mass
     for field, key in VALUES.items():
         value = _at(point_mass, key)
         if value is not None:

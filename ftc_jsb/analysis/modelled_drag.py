@@ -34,6 +34,7 @@ def _fill(model: Any, record: Records, polar: Vector, measured: Vector) -> None:
     m = model[0]
     for i in range(record.shape[0]):
         row = record[i]
+        m.mass = m.mass_start * row.mass / record[0].mass  # the loop follows what is burnt
         at = at_condition(m, row.airspeed, row.altitude)
         polar[i] = polar_drag(at, row.airspeed, row.thrust, row.load_factor)[0]
         if m.measured_mach_count > 0:

@@ -17,6 +17,7 @@ from ftc_jsb.estimation.process import OUTPUTS, Forcing, place_of_channel
 from ftc_jsb.estimation.ukf import predict_unscented
 from ftc_jsb.estimation.update import update, update_by_state
 from ftc_jsb.point_mass.dynamics import polar_drag
+from ftc_jsb.point_mass.fuel import burn_fuel
 from ftc_jsb.point_mass.model import Condition, pressure_area
 from ftc_jsb.point_mass.response import lag_step
 from ftc_jsb.point_mass.thrust import (
@@ -30,7 +31,9 @@ from ftc_jsb.vocabulary.channels import BANK_ANGLE, LOAD_FACTOR, THRUST
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
 
 NOT_YET = -1.0  # rotor speed before the first command, to which JSBSim's rotors jump out of a trim
-SPOOLING = 20.0  # samples for which an error of the thrust of a spooling engine stays about the same
+SPOOLING = (
+    20.0  # samples for which an error of the thrust of a spooling engine stays about the same
+)
 
 
 @compiled
@@ -41,6 +44,7 @@ def start_observer(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition,
     o.rotor_speed = rotor_speed_target(at, x.trim[0])
     o.thrust = healthy_thrust(at, o.rotor_speed, x.trim[0])
     o.other_rotor, o.thrust_doubt = NOT_YET, 0.0
+    o.fuel_flow = m.fuel_flow[3]
     o.drag_coefficient = drag_coefficient_measured(m, x, at, row, NOTHING, 0.0)
     o.alpha, o.load_factor, o.bank_angle = row.alpha_meas, row.load_factor_meas, row.bank_angle_meas
     f = o.filter
@@ -66,6 +70,7 @@ def observe(s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, row: R
     """Predict over the sample that has passed and correct by what is measured now."""
     _set_process_noise(s, m, x)
     forcing = _forcing_of_sample(s, m, x, at, row)
+    _follow_mass(s, m, x, at, forcing.thrust)
     if s.estimator == NO_ESTIMATOR:
         return
     o = x.observer
@@ -158,6 +163,22 @@ def _healthy_thrust_of_sample(
 
 
 @compiled
+def _follow_mass(
+    s: LoopSettings, m: ModelRecord, x: LoopState, at: Condition, thrust: float
+) -> None:
+    """Take from the mass what the engine has burnt over the sample, by the thrust that it is believed to give.
+
+    That is the healthy engine's [N] times the estimated effectiveness. No flow is measured: it would tell of
+    the fault that is to be found.
+    """
+    o = x.observer
+    place = place_of_channel(o.filter, THRUST)
+    if s.estimator != NO_ESTIMATOR and place >= 0:
+        thrust *= min(max(o.filter.estimate[place], 0.0), s.effectiveness_most)
+    o.fuel_flow = burn_fuel(m, at, o.fuel_flow, o.rotor_speed, thrust, x.demand[0], s.dt)
+
+
+@compiled
 def _acting(m: ModelRecord, x: LoopState, channel: int, measured: float, dt: float) -> float:
     """Load factor or bank that acted over the sample, as the process model takes it.
 
@@ -213,7 +234,9 @@ def _update_by_acceleration(
     o.acceleration_innovation = row.acceleration_meas - (effectiveness * slope - drag / m.mass)
     if place >= 0:
         spooling = SPOOLING * (effectiveness * o.thrust_doubt / m.mass) ** 2
-        variance = slope * slope * o.filter.covariance[place, place] + o.acceleration_noise + spooling
+        variance = (
+            slope * slope * o.filter.covariance[place, place] + o.acceleration_noise + spooling
+        )
         o.acceleration_innovation_std = math.sqrt(variance)
         if o.blind == 1:  # near no thrust: what is estimated is held
             return

@@ -38,12 +38,14 @@ def outer_loop_step(loop: LoopArrays, record: Records, i: int) -> None:
     """One sample of the outer loop.
 
     Args:
-        loop: settings, model and state of the loop; the state is advanced.
+        loop: settings, model and state of the loop; the state and the model's mass are advanced.
         record: (rows,) of the recording; references and measurements of row `i` are read,
             commands, estimates and the detector's verdict are written.
         i: row; 0 starts the loop.
     """
     s, m, x, row = loop.settings[0], loop.model[0], loop.state[0], record[i]
+    if i == 0:
+        m.mass = m.mass_start
     isolate_if_asked(loop.isolates, s, m, x, row, i)
     update_known_state(s, x, row, i)
     at = at_condition(m, x.known.state[0], x.known.altitude)

@@ -70,6 +70,7 @@ OBSERVER = np.dtype(  # what was flown and estimated
         ("other_rotor", float),  # the same if idle thrust and spool rate are a little wrong
         ("thrust_doubt", float),  # how far the two differ [N]
         ("trim_thrust", float),  # [N], at the start
+        ("fuel_flow", float),  # that it is believed to burn [kg/s]
         ("drag_coefficient", float),  # measured, of the previous sample
         ("alpha", float),  # [rad], likewise
         ("load_factor", float),

@@ -10,6 +10,7 @@ from ftc_jsb.errors import AircraftError
 from ftc_jsb.identify import manoeuvres
 from ftc_jsb.identify.angles_drag import fit_angles_drag
 from ftc_jsb.identify.flight_test import fly_manoeuvre
+from ftc_jsb.identify.fuel_consumption import fit_consumption
 from ftc_jsb.identify.inner_loop_lag import fit_lag
 from ftc_jsb.identify.measured_lift import fit_measured_lift
 from ftc_jsb.identify.point_mass_contents import FittedModel, FlownTests, contents
@@ -91,6 +92,7 @@ def _fit(aircraft: Aircraft, area: float, tests: FlownTests) -> FittedModel:
         deck,
         spool_up,
         spool_down,
+        fit_consumption(records),
         load_factor=fit_lag(records, "load_factor", DT),
         bank=fit_lag(records, "bank_angle", DT, limited=True),
     )

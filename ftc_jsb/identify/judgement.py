@@ -7,6 +7,7 @@ LIMITS = {
     "residual_drag_polar_percent": (5.0, "drag for the law, RMS [%]"),
     "residual_drag_angles_percent": (1.0, "drag for the estimator, RMS [%]"),
     "residual_thrust_percent_of_maximum": (2.0, "thrust, RMS [% of maximum]"),
+    "residual_fuel_flow_percent": (5.0, "fuel flow, RMS [%]"),
     "residual_load_factor_response": (0.5, "load factor response, RMS [g]"),
     "residual_bank_response_deg": (5.0, "bank response, RMS [deg]"),
     "held_out_beyond_mach_range_percent": (10.0, "held-out samples beyond the Mach range [%]"),

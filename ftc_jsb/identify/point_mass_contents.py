@@ -13,6 +13,7 @@ from ftc_jsb.aircraft.description import Aircraft
 from ftc_jsb.aircraft.point_mass_file import PointMass
 from ftc_jsb.errors import AircraftError
 from ftc_jsb.identify.angles_drag import AnglesDrag
+from ftc_jsb.identify.fuel_consumption import Consumption, consumption_residual
 from ftc_jsb.identify.held_out import (
     drag_residuals,
     lift_residual,
@@ -52,6 +53,7 @@ class FittedModel(NamedTuple):
     deck: Deck
     spool_up: Array  # (3,) coefficients of `thrust.spool_rate`
     spool_down: Array
+    consumption: Consumption
     load_factor: Lag
     bank: Lag
 
@@ -85,6 +87,7 @@ def contents(
         "measured_lift": _measured_lift(model.lift),
         "side_force": _side_force(model.side_force),
         "thrust": _thrust(sheet.engines, model),
+        "fuel_flow": _fuel_flow(model.consumption),
         "response": _response(model.load_factor, model.bank),
         "valid": {
             "mach": _range(polar.mach),
@@ -158,6 +161,18 @@ def _thrust(engines: int, model: FittedModel) -> dict[str, Any]:
     }
 
 
+def _fuel_flow(consumption: Consumption) -> dict[str, Any]:
+    return {
+        "dry": round(consumption.dry, 9),
+        "part_power": round(consumption.part_power, 4),
+        "reheat": round(consumption.reheat, 9),
+        "idle": round(consumption.idle, 5),
+        "rise_dry": round(consumption.rise_dry, 5),
+        "rise_reheat": round(consumption.rise_reheat, 5),
+        "fall": round(consumption.fall, 5),
+    }
+
+
 def _response(load_factor: Lag, bank: Lag) -> dict[str, Any]:
     return {
         "load_factor_frequency": round(load_factor.frequency, 3),
@@ -205,6 +220,9 @@ def _identification(
         ),
         "residual_sideslip_by_side_force_deg": _rms(np.degrees(slip)),
         "residual_thrust_percent_of_maximum": _rms_percent(thrust),
+        "residual_fuel_flow_percent": _rms_percent(
+            consumption_residual(tests.held_out, model.consumption)
+        ),
         "residual_load_factor_response": round(model.load_factor.residual, 4),
         "residual_bank_response_deg": round(float(np.degrees(model.bank.residual)), 3),
         "residuals": "RMS on held-out flights, drag and thrust relative",

@@ -43,7 +43,7 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
     Raises:
         AircraftError: the flights hold no settled thrust.
     """
-    rows = np.concatenate([record[_settled(record)][::5] for record in records])
+    rows = np.concatenate([record[settled(record)][::5] for record in records])
     if len(rows) < 100:
         raise AircraftError("identification: the test flights hold no settled thrust")
     mach = np.arange(
@@ -81,7 +81,7 @@ def fit_deck(records: list[npt.NDArray[Any]]) -> Deck:
     return Deck(mach, altitude, idle, military, maximum)
 
 
-def _settled(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
+def settled(record: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
     """Samples before which the throttle has moved by less than 0.02 in each tenth of a second.
 
     And to which the thrust no longer goes: a large fan takes its time to spool.

@@ -288,9 +288,7 @@ def _say_what_lasts(s: IsolationSettings, x: IsolationState) -> None:
         surface = x.surfaces[j]
         if surface.faulty == 1 and surface.told == 0:
             x.suspect = FIRST_SURFACE + j
-            x.probability = 1.0 - (1.0 - SURE) * math.exp(
-                min(s.threshold - surface.statistic, 0.0)
-            )
+            x.probability = 1.0 - (1.0 - SURE) * math.exp(min(s.threshold - surface.statistic, 0.0))
         surface.told = surface.faulty
     if x.suspect == THRUST_LOSS and x.thrust == 1:
         return

@@ -61,7 +61,9 @@ def accept(
     n = x.navigation
     for j in range(SURFACE_COUNT):
         k = pick_off_of(j)
-        if not (x.excluded[k] == ACCEPTED and math.isfinite(raw[k])) and math.isfinite(x.surfaces[j].due):
+        if not (x.excluded[k] == ACCEPTED and math.isfinite(raw[k])) and math.isfinite(
+            x.surfaces[j].due
+        ):
             x.signals[k] = x.surfaces[j].due + x.surfaces[j].lasting
     for axis in range(3):
         if x.excluded[ROLL + axis] != ACCEPTED:

@@ -1,7 +1,7 @@
 """Servo monitor: whether a surface goes where flight control sends it, and whether its pick-off says so.
 
-Flight control knows where a healthy actuator would be by now. A surface that has lost effectiveness, is stuck or
-runs away moves otherwise, a pick-off that is wrong tells the same movement from another place: the gain from
+Flight control knows where a healthy actuator would be by now. A surface that has lost effectiveness, is stuck
+or runs away moves otherwise, a pick-off that is wrong tells the same movement from another place: the gain from
 the changes of what was commanded to the changes of what is read tells one from the other. It is found by least
 squares with exponential forgetting; its log likelihood ratio against 1, and that of the offset against none,
 are held against the same threshold as everything else.
@@ -51,7 +51,9 @@ def start_surfaces(x: IsolationState, commanded: Vector) -> None:
 
 
 @compiled
-def watch_surface(s: IsolationSettings, x: IsolationState, j: int, commanded: float, dt: float) -> int:
+def watch_surface(
+    s: IsolationSettings, x: IsolationState, j: int, commanded: float, dt: float
+) -> int:
     """One sample of a surface; why its pick-off cannot be believed, ACCEPTED if it can.
 
     Args:
@@ -105,7 +107,9 @@ def _judge_surface(s: IsolationSettings, f: IsolationState, k: int, dt: float) -
     spread = s.noise[k] ** 2 * dt / OFFSET_LAG + s.bias[k] ** 2 + LEAST_NOISE**2
     by_offset = 0.5 * off * off / spread
     there = abs(off) > LEAST_OFFSET and by_offset > s.threshold
-    f.statistic = max(by_gain if abs(1.0 - f.gain) > LEAST_LOSS else 0.0, by_offset if there else 0.0)
+    f.statistic = max(
+        by_gain if abs(1.0 - f.gain) > LEAST_LOSS else 0.0, by_offset if there else 0.0
+    )
     f.away = f.away + dt if there else 0.0
     if f.faulty == 1:
         clear = abs(1.0 - f.gain) < LEAST_LOSS and f.gain_std < WELL_KNOWN and not there

@@ -40,9 +40,7 @@ def begin_anew(w: Windows) -> None:
 
 
 @compiled
-def add_block(
-    w: Windows, wind: Vector, effectiveness: float, thrust: float, doubt: float
-) -> None:
+def add_block(w: Windows, wind: Vector, effectiveness: float, thrust: float, doubt: float) -> None:
     """The block that is full goes into the ring, the oldest into the baseline.
 
     Args:

@@ -100,7 +100,7 @@ class OuterLoop:
     def _built_loop(self, aircraft: PointMass, settings: Loop, mass: float | None) -> RecordedLoop:
         model = aircraft.record(0.0)
         now = self._fdm["inertia/weight-lbs"] * POUND_MASS
-        model[0]["mass"] = now if mass is None else mass
+        model[0]["mass"] = model[0]["mass_start"] = now if mass is None else mass
         setup = LoopSetup(aircraft, float(model[0]["mass"]), settings, 1.0 / settings.rate)
         return build_loop(setup, model, self._record)
 

@@ -23,7 +23,11 @@ ALPHA_TERMS = 4  # powers 0..3 of the lift coefficient
 MODEL = np.dtype(
     [
         ("gravity", float),  # [m/s^2]
-        ("mass", float),  # [kg], at the start of the flight
+        ("mass", float),  # [kg], now: plant and loop burn their fuel from it, each from its own
+        ("mass_start", float),  # [kg], at the start of the flight
+        ("mass_empty", float),  # [kg], with dry tanks
+        ("fuel_flow", float, (4,)),  # see `fuel.settled_fuel_flow`; the last 0 = none is burnt
+        ("fuel_flow_rate", float, (3,)),  # [kg/s^2], upwards dry and in reheat, downwards
         ("area", float),  # [m^2]
         ("load_factor_min", float),
         ("load_factor_max", float),

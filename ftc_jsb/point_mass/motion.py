@@ -15,6 +15,7 @@ from ftc_jsb.point_mass.dynamics import (
     load_factor_limit,
     polar_drag,
 )
+from ftc_jsb.point_mass.fuel import burn_fuel, fuel_on_board
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.point_mass.response import lag_acceleration
 from ftc_jsb.point_mass.thrust import healthy_thrust, next_rotor_speed, rotor_speed_target
@@ -35,6 +36,7 @@ POINT_MASS_STATE = np.dtype(
         ("x", float, (STATES,)),
         ("rotor_speed", float),
         ("thrust", float),  # delivered [N]
+        ("fuel_flow", float),  # [kg/s]
         ("y", float, (STATES,)),  # scratch: state at a stage of the Runge-Kutta step
         ("k", float, (4, STATES)),  # scratch: rates of its stages
         ("start", ANGLES),  # scratch: angles at the start of the sample
@@ -160,6 +162,8 @@ def point_mass_step(
             healthy = min(max(row.thrust_cmd, at.thrust_idle), at.thrust_maximum)
         s.thrust = row.effectiveness_thrust * healthy
         _runge_kutta(m, wind, s, load_factor, bank, dt / substeps)
+        now = (s.rotor_speed, s.thrust, row.thrust_cmd)
+        s.fuel_flow = burn_fuel(m, at, s.fuel_flow, *now, dt / substeps)
         if m.bank_rate_max > 0.0:
             x[9] = min(max(x[9], -m.bank_rate_max), m.bank_rate_max)
     if m.spool_up[0] == 0.0:
@@ -183,7 +187,7 @@ def point_mass_truth(plant: PointMassArrays, record: Records, i: int, dt: float)
     row.drag, row.alpha = polar_drag(at, x[0], s.thrust, x[6])
     row.sideslip = 0.0
     row.mach = x[0] / at.sound_speed
-    row.mass = m.mass
+    row.mass, row.fuel = m.mass, fuel_on_board(m)
     sa, ca = math.sin(row.alpha), math.cos(row.alpha)
     along = (s.thrust * ca - row.drag) / (m.mass * m.gravity)
     row.load_factor_x = along * ca + x[6] * sa

@@ -78,8 +78,9 @@ class Cases(NamedTuple):
     """What the flights of a batch are made of: (n,) each, as a flight has one of them."""
 
     settings: npt.NDArray[Any]
-    model: npt.NDArray[Any]
+    loop_model: npt.NDArray[Any]
     loop: npt.NDArray[Any]
+    plant_model: npt.NDArray[Any]
     plant: npt.NDArray[Any]
     wind: npt.NDArray[Any]
     sensors: npt.NDArray[Any]
@@ -98,8 +99,9 @@ def _case(scenario: Scenario, record: npt.NDArray[Any]) -> Cases:
         raise ScenarioError("a batch: expected point masses with built-in loops")
     return Cases(
         loop.arrays.settings,
-        plant.arrays.model,
+        loop.arrays.model,
         loop.arrays.state,
+        plant.arrays.model,
         plant.arrays.state,
         plant.arrays.wind,
         instruments.sensors,
@@ -128,12 +130,11 @@ def fly_cases(cases: Cases, record: Records, table: Numbers, dt: float, result: 
             row = table[i, FIRST_SCHEDULED : FIRST_SCHEDULED + len(SCHEDULE)]
             present(cases.faults[c], record[i].time, cases.engines[c], row)
         one = slice(c, c + 1)
-        model = cases.model[one]
         instruments = Instruments(cases.sensors[one], cases.faults[c], record, table)
         flight = PointMassFlight(
             LoopInputs(instruments, cases.command_filter[one], cases.altitude_hold[one]),
-            LoopArrays(cases.settings[one], model, cases.loop[one], None),
-            PointMassArrays(model, cases.wind[one], cases.plant[one]),
+            LoopArrays(cases.settings[one], cases.loop_model[one], cases.loop[one], None),
+            PointMassArrays(cases.plant_model[one], cases.wind[one], cases.plant[one]),
         )
         last, reason = point_mass_flight(flight, 0, record.size, dt, cases.substeps[c])
         summarize(record, last, result[c])

@@ -38,6 +38,6 @@ def departed(record: Records, i: int) -> int:
         return STALLED
     if row.altitude < 0.0:
         return GROUND
-    if row.fuel < LEAST_FUEL:  # nan, and so never, on the point masses
+    if row.fuel < LEAST_FUEL:  # nan, and so never, where none is burnt
         return DRY
     return FLYING

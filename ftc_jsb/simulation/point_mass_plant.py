@@ -40,7 +40,9 @@ class PointMassPlant:
         self.substeps = substeps or substeps_needed(model, wind, dt)
 
     def reset(self, record: npt.NDArray[Any]) -> None:
-        """Level trim at the initial condition; binds the recording to write to."""
+        """Level trim at the initial condition, the fuel of the start; binds the recording to write to."""
+        model = self.arrays.model[0]
+        model["mass"] = model["mass_start"]
         initial = self._initial
         path = math.radians(initial.flight_path_deg)
         state = self.arrays.state[0]
@@ -51,6 +53,7 @@ class PointMassPlant:
         state["thrust"], state["rotor_speed"] = trim_thrust(
             self.arrays.model, initial.airspeed, initial.altitude, path
         )
+        state["fuel_flow"] = model["fuel_flow"][3]  # idling
         self._record = record
 
     @cached_property  # a flight in compiled stretches needs neither

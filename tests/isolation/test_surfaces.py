@@ -1,4 +1,4 @@
-"""Servo monitor: a surface that does not obey, or a pick-off that is wrong? Fighters in a turn, tactical sensors."""
+"""Servo monitor: a surface that does not obey, or a wrong pick-off? Fighters in a turn, tactical sensors."""
 
 from typing import Any
 

@@ -12,6 +12,7 @@ from ftc_jsb.mavlink.telemetry import outer_loop_messages as outer_loop
 from ftc_jsb.mavlink.telemetry import status_messages as status
 from ftc_jsb.mavlink.telemetry.flight_events import FlightEvents
 from ftc_jsb.mavlink.telemetry.snapshot import LinkHealth, Phase, SnapshotBuilder
+from ftc_jsb.vocabulary.signals import SENSED
 from tests.mavlink.frames import decoded
 from tests.mavlink.ground import Ground, aloft
 
@@ -75,7 +76,7 @@ def health(snapshot):
     )
 
 
-@pytest.mark.parametrize(
+SENSORS = pytest.mark.parametrize(
     ("signal", "bit"),
     [
         ("airspeed", dialect.MAV_SYS_STATUS_SENSOR_DIFFERENTIAL_PRESSURE),
@@ -85,6 +86,35 @@ def health(snapshot):
         ("load_factor_x", dialect.MAV_SYS_STATUS_SENSOR_3D_ACCEL),
     ],
 )
+
+
+@SENSORS
+def test_excluded_sensor_is_unhealthy_though_it_reads(taken, signal, bit):
+    """Frozen, biased or drifting: isolation tells by `excluded`, whose bits are in the order of the sensors."""
+    bits = float(1 << SENSED.index(signal))
+    sound, excluded = health(taken()), health(taken(excluded=bits))
+    assert sound.onboard_control_sensors_health & bit
+    lost = sound.onboard_control_sensors_health & ~excluded.onboard_control_sensors_health
+    assert lost == bit
+    fix = motion.gps_raw_int(taken(excluded=bits))["fix_type"]
+    none = dialect.GPS_FIX_TYPE_NO_FIX
+    assert fix == (none if signal == "north" else dialect.GPS_FIX_TYPE_3D_FIX)
+
+
+def test_excluded_attitude_is_the_ahrs_and_heading_the_magnetometer(taken):
+    bits = float(1 << SENSED.index("yaw"))
+    seen = health(taken(excluded=bits)).onboard_control_sensors_health
+    assert not seen & dialect.MAV_SYS_STATUS_AHRS
+    assert not seen & dialect.MAV_SYS_STATUS_SENSOR_3D_MAG
+    assert seen & dialect.MAV_SYS_STATUS_SENSOR_3D_GYRO
+
+
+def test_a_loop_without_isolation_excludes_nothing(taken):
+    every = health(taken()).onboard_control_sensors_health
+    assert health(taken(excluded=math.nan)).onboard_control_sensors_health == every
+
+
+@SENSORS
 def test_sensor_without_a_reading_is_unhealthy(taken, signal, bit):
     sound, silent = health(taken()), health(taken(**{f"{signal}_meas": math.nan}))
     assert sound.onboard_control_sensors_health & bit

@@ -11,11 +11,12 @@ from ftc_jsb.simulation.fly import fly
 
 
 def test_cases_of_a_batch_are_the_flights_of_fly():
-    """Three cases that differ in fault, sensors and aircraft: the summary's numbers to rounding of sums."""
+    """Cases that differ in fault, sensors, aircraft and what the loop knows of it: to rounding of sums."""
     given = (
         [],
         ["fault[0].effectiveness=0.5", "seed=3", "sensors.profile='tactical'", "loop.name='robust'"],
         ["model='identified'", "loop.name='no-ftc'", "initial.altitude=4000"],
+        ["model='identified'", "model_error.mass=1.1"],
     )  # fmt: skip
     scenarios = [load_scenario("paper", [*changes, "duration=25"]) for changes in given]
     for summary, scenario in zip(fly_batch(scenarios), scenarios, strict=True):

@@ -1,6 +1,6 @@
 """`python -m validation.isolation WHAT`: whose fault is it?
 
-`table [SEEDS] [FIRST]` flies every class of faults on every fighter, in four airs, with perfect and with tactical
+`table [SEEDS] [FIRST]` flies every class of faults on every fighter, in four airs, with perfect and tactical
 sensors; `rates [HOURS] [FIRST]` flies without a fault and counts alarms; `roc [SEEDS] [FIRST]` weighs losses of
 thrust that are found against alarms by chance; `bound [SEEDS] [FIRST]` holds the estimate's error against the
 Cramér–Rao bound; `learn` prints `ftc_jsb/isolation/scatter.py` anew, from seeds 100 to 103. Seeds of the others

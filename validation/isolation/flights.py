@@ -1,4 +1,4 @@
-"""The flights that isolation is judged by: a mission of each fighter, with one fault of a class or with none."""
+"""The flights that isolation is judged by: a mission of each fighter, with a fault of a class or none."""
 
 import json
 import math

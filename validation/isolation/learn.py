@@ -1,5 +1,6 @@
 """`ftc_jsb/isolation/scatter.py` anew: standard deviations of the residuals where nothing is wrong."""
 
+import math
 import sys
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -54,7 +55,10 @@ def learn() -> Iterator[str]:
         for air in ("none", "moderate"):
             of_fighters = []
             for name in AIRSPEEDS:
-                flights = pool.map(residual_means, [Mission(name, air, seed, duration=DURATION) for seed in LEARNED])
+                flights = pool.map(
+                    residual_means,
+                    [Mission(name, air, seed, duration=DURATION) for seed in LEARNED],
+                )
                 means = np.concatenate([each for each in flights if each.size])
                 of_fighters.append(np.nanmean(means**2, axis=0))
                 if name == "f15":  # its drag of sideslip is reckoned with apart

@@ -1,4 +1,4 @@
-"""Every class of faults on every fighter, in four airs, with perfect and with tactical sensors: who was named."""
+"""Every class of faults on every fighter, in four airs, with perfect and tactical sensors: who was named."""
 
 import math
 from collections import Counter, defaultdict
@@ -122,7 +122,9 @@ def table(seeds: int = SEEDS, first: int = FIRST) -> Iterator[str]:
         yield _line(found[0].fault, found)
     faulty = [each for each in everything if each.fault != HEALTHY]
     yield _line("all faults", faulty)
-    yield _line("… tactical sensors", [each for each in faulty if each.mission.sensors == SENSORS[1]])
+    yield _line(
+        "… tactical sensors", [each for each in faulty if each.mission.sensors == SENSORS[1]]
+    )
     for group in ("sensors", "air", "aircraft"):
         parts = defaultdict(list)
         for each in everything:

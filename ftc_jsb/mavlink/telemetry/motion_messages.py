@@ -102,12 +102,12 @@ def _command(s: Snapshot, name: str) -> float:
 
 
 def gps_raw_int(s: Snapshot) -> Fields:
-    """GPS_RAW_INT: a fix of unknown quality, or none while the receiver gives no reading."""
+    """GPS_RAW_INT: a fix of unknown quality, or none while the receiver gives no reading or is excluded."""
     north, east, _ = ground_velocity(s)
     none, fix = dialect.GPS_FIX_TYPE_NO_FIX, dialect.GPS_FIX_TYPE_3D_FIX
     return {
         "time_usec": s.time_usec,
-        "fix_type": none if s.silent("north", "east") else fix,
+        "fix_type": none if s.failed("north", "east") else fix,
         **_position(s),
         "alt": 1e3 * s.row["altitude"],
         "eph": UNKNOWN_16,

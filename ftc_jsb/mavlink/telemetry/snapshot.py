@@ -12,6 +12,7 @@ from ftc_jsb.mavlink.telemetry.geodesy import Origin
 from ftc_jsb.point_mass.model import thrust_limits
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.simulation.assembly import point_mass_of
+from ftc_jsb.vocabulary.signals import SENSED
 
 Angles = tuple[float, float, float]
 
@@ -60,6 +61,12 @@ class Snapshot(NamedTuple):
             math.isfinite(self.row.get(name, math.nan)) and math.isnan(self.row[f"{name}_meas"])
             for name in signals
         )
+
+    def failed(self, *signals: str) -> bool:
+        """Whether one of these signals is silent, or excluded: isolation lets something stand in for it."""
+        excluded = self.row.get("excluded", 0.0)
+        bits = int(excluded) if math.isfinite(excluded) else 0  # a loop without isolation has none
+        return self.silent(*signals) or any(bits >> SENSED.index(name) & 1 for name in signals)
 
     @property
     def in_flight(self) -> bool:

@@ -28,7 +28,7 @@ SENSORS = (
     | dialect.MAV_SYS_STATUS_AHRS
     | dialect.MAV_SYS_STATUS_PREARM_CHECK
 )
-# What each sensor is judged by: without a reading of one of its signals, it is unhealthy.
+# What each sensor is judged by: while one of its signals is silent or excluded, it is unhealthy.
 SIGNALS_OF = {
     dialect.MAV_SYS_STATUS_SENSOR_3D_GYRO: ("roll_rate", "pitch_rate", "yaw_rate"),
     dialect.MAV_SYS_STATUS_SENSOR_3D_ACCEL: ("load_factor_x", "load_factor_y", "load_factor_z"),
@@ -69,16 +69,16 @@ def heartbeat(s: Snapshot) -> Fields:
 
 
 def sys_status(s: Snapshot) -> Fields:
-    """SYS_STATUS: propulsion is unhealthy while the detector declares a fault; a sensor without a reading.
+    """SYS_STATUS: propulsion is unhealthy while a fault is declared, a sensor while silent or excluded.
 
     The link's counters stand in the fields of errors.
     """
-    silent = sum(bit for bit, names in SIGNALS_OF.items() if s.silent(*names))
+    failed = sum(bit for bit, names in SIGNALS_OF.items() if s.failed(*names))
     no_fault = s.row.get("fault_declared", 0.0) < 0.5
     return {
         "onboard_control_sensors_present": SENSORS | ENGINE,
         "onboard_control_sensors_enabled": SENSORS | ENGINE,
-        "onboard_control_sensors_health": SENSORS & ~silent | (ENGINE if no_fault else 0),
+        "onboard_control_sensors_health": SENSORS & ~failed | (ENGINE if no_fault else 0),
         "load": min(max(1000.0 * s.health.load, 0.0), 1000.0),
         "voltage_battery": UNKNOWN_16,
         "current_battery": -1,
