@@ -39,7 +39,7 @@ def test_publisher_asks_for_font_width_and_format(tmp_path):
         (("--font", "Nonsuch"), "--font Nonsuch: not installed; expected one of serif"),
         (("--width", "3furlong"), "no width of a figure; expected 1.5 to 40 in"),
         (("--width", "nan"), "no width of a figure"),
-        (("--width", "900mm"), "no width of a figure; expected"),
+        (("--width", "5000mm"), "no width of a figure; expected"),
         (("--format", "bmp"), "'bmp' is not one of"),
     ],
 )
