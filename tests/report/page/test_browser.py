@@ -386,15 +386,6 @@ def test_envelope_panels_have_the_limits_of_each_aircraft(opened):
         assert sorted(outlines) == ["F-16", "paper's aircraft"]
 
 
-def test_trajectory_has_its_own_play_button_and_whole_axis_titles(opened):
-    opened.show("trajectory")
-    button = opened.page.locator("#chart-trajectory button.play")
-    button.click()
-    opened.page.wait_for_function("Number(document.getElementById('cursor').value) > 0.5")
-    button.click()
-    assert "Play" in button.inner_text()
-
-
 def test_position_errors_come_first_where_the_position_is_tracked(browser, helix):
     opened = Opened(browser, helix)
     flight_charts = opened.page.eval_on_selector_all(
@@ -466,11 +457,12 @@ def test_curves_of_many_points_are_printed_as_pictures(browser, noisy):
     opened.context.close()
 
 
-def test_play_moves_the_time_cursor_and_pauses(opened):
+@pytest.mark.parametrize("button", ["#play", "#chart-trajectory button.play"])
+def test_play_moves_the_time_cursor_and_pauses(opened, button):
     """From the start; paused in the frame in which the cursor has passed 1 s, it stays where it is."""
     paused = opened.page.evaluate(
-        """new Promise((done) => {
-          const cursor = document.getElementById("cursor"), button = document.getElementById("play");
+        """selector => new Promise((done) => {
+          const cursor = document.getElementById("cursor"), button = document.querySelector(selector);
           cursor.value = 0;
           cursor.dispatchEvent(new Event("input"));
           button.click();
@@ -480,9 +472,10 @@ def test_play_moves_the_time_cursor_and_pauses(opened):
             done(cursor.value);
           };
           requestAnimationFrame(watch);
-        })"""
+        })""",
+        button,
     )
-    assert "Play" in opened.page.locator("#play").inner_text()
+    assert "Play" in opened.page.locator(button).inner_text()
     opened.page.wait_for_timeout(200)
     assert opened.page.locator("#cursor").input_value() == paused
 
