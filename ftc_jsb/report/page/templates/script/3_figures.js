@@ -1,5 +1,5 @@
 // --- charts as Plotly takes them ----------------------------------------------------------------
-const ROW = 132; // px, height of a row of a chart
+const rowHeight = () => (paperWidth ? 116 : 132); // px, of a row of a chart: seven fit on a page
 const TITLE = 18; // px above a row of panels
 const MARGIN = { l: 62, r: 12, t: 8, b: 40 };
 const LEAST_PANEL = 215; // px
@@ -34,11 +34,11 @@ function heightOf(chart, width) {
   if (chart.kind === "timeline") return timelineHeight();
   if (chart.kind !== "time") return chart.kind === "plane" ? 330 : 440;
   const { bands } = gridOf(width);
-  return bands * (chart.rows.length * ROW + (panels.length > 1 ? TITLE : 0)) + MARGIN.t + MARGIN.b;
+  return bands * (chart.rows.length * rowHeight() + (panels.length > 1 ? TITLE : 0)) + MARGIN.t + MARGIN.b;
 }
 
 function timeFigure(chart, width) {
-  const rows = chart.rows.length, { across, bands } = gridOf(width), titled = panels.length > 1;
+  const ROW = rowHeight(), rows = chart.rows.length, { across, bands } = gridOf(width), titled = panels.length > 1;
   const height = heightOf(chart, width), inner = height - MARGIN.t - MARGIN.b;
   const wide = (width - MARGIN.l - MARGIN.r - (across - 1) * 26) / across;
   const data = [], layout = { ...paper(height), hovermode: false, dragmode: "zoom", shapes: [], annotations: [] };
