@@ -37,6 +37,10 @@ class WriteError(RecordingError):
         self.reason = reason
 
 
+class FigureError(UserError):
+    """A figure cannot be drawn as asked for."""
+
+
 class TheoryError(UserError):
     """A system that the theory does not cover; says which output, input or matrix, and where."""
 

@@ -38,6 +38,17 @@ def distance(record: npt.NDArray[Any], other: npt.NDArray[Any], suffix: str = ""
     return np.asarray(np.sqrt(square))
 
 
+def position_errors(record: npt.NDArray[Any]) -> dict[str, Array]:
+    """Place minus that on the reference path [m]: ahead of it, right of it, above it."""
+    north, east = (record[axis] - record[f"{axis}_ref"] for axis in ("north", "east"))
+    cosine, sine = np.cos(record["heading_ref"]), np.sin(record["heading_ref"])
+    return {
+        "error_along": cosine * north + sine * east,
+        "error_across": cosine * east - sine * north,
+        "error_height": record["altitude"] - record["altitude_ref"],
+    }
+
+
 def tracking_metrics(record: npt.NDArray[Any]) -> dict[str, Any]:
     """RMS and peak of each tracking error and of the position; units are in the keys."""
     errors = {

@@ -142,8 +142,8 @@ def write_case(
         if row["error"] is not None:
             message(f"case {number}, {row['model']}, {row['loop']}: {row['error']}")
     if paths:
-        flights, _ = labelled_recordings(paths)
-        write_and_print(flights, place, as_json=False)
+        flights, _, files = labelled_recordings(paths)
+        write_and_print(flights, place, as_json=False, recordings=files)
 
 
 @contextmanager

@@ -53,6 +53,7 @@ def compare(
     with output.folder(f"compare-{flown.name}") as folder:
         announce(flown, overrides, compared=True)
         flights, interrupted = compare_and_save(flown, folder, progress_for(flown, as_json))
-        write_and_print(flights, folder, as_json, margins=margins)
+        files = {label: folder / f"{label}.nc" for label in flights}
+        write_and_print(flights, folder, as_json, files, margins=margins)
     if interrupted:
         sys.exit(INTERRUPTED)

@@ -37,10 +37,10 @@ def report(
     from ftc_jsb.runs.recordings import labelled_recordings
 
     margins = [read_margins(path) for path in margin_files]
-    flights, broken = labelled_recordings(recordings)
+    flights, broken, files = labelled_recordings(recordings)
     for text in broken:
         message(text)
     with output.folder("report") as folder:
-        write_and_print(flights, folder, as_json, tuple(broken), margins)
+        write_and_print(flights, folder, as_json, files, tuple(broken), margins)
     if broken:
         sys.exit(BAD_USAGE)

@@ -2,7 +2,7 @@
 
 import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +20,7 @@ def write_and_print(
     flights: "dict[str, Flight]",
     folder: Path,
     as_json: bool,
+    recordings: Mapping[str, Path],
     unread: tuple[str, ...] = (),
     margins: "Sequence[MeasuredMargins]" = (),
 ) -> None:
@@ -29,6 +30,7 @@ def write_and_print(
         flights: at least one.
         folder: exists and is writable.
         as_json: print for machines.
+        recordings: files of the flights, by label, which the page links to.
         unread: what is wrong with recordings that could not be read.
         margins: shown with the flights that they are of.
 
@@ -40,7 +42,7 @@ def write_and_print(
 
     command = shlex.join(["ftc-jsb", *sys.argv[1:]])
     with step_bar("Report", steps(flights), lines=False) as tell:
-        document = write_report(flights, folder, command, unread, margins, tell)
+        document = write_report(flights, folder, command, unread, margins, tell, recordings)
     if as_json:
         print_json({**document, "report": str(folder / "report.html")})
     else:

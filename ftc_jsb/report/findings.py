@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ftc_jsb.analysis.command_following import command_following_metrics
+from ftc_jsb.analysis.fault_timeline import fault_timeline
 from ftc_jsb.analysis.ftc_effect import effects
 from ftc_jsb.analysis.lyapunov_bound import proof_along, stability_metrics
 from ftc_jsb.analysis.metrics import Metrics, flight_metrics
@@ -58,6 +59,7 @@ def analyse(
         proof = proof_along(flight)
         if proof is not None and np.isfinite(proof.value).all():
             proofs[label] = proof
+        entry["timeline"] = [stretch._asdict() for stretch in fault_timeline(flight)]
         entry["stability"] = stability_metrics(proofs.get(label))
         metrics[label] = finite(entry)
     validity = _validity(flights, metrics)

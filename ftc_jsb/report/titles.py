@@ -13,9 +13,20 @@ LOOPS = {
 }
 
 
+WRITTEN = {  # names of shipped aircraft's folders: as people write them
+    "f16": "F-16",
+    "f15": "F-15",
+    "F4N": "F-4N",
+    "A4": "A-4",
+    "T37": "T-37",
+    "T38": "T-38",
+}
+
+
 def aircraft_title(scenario: Scenario) -> str:
-    """The aircraft's name, without its folder."""
-    return scenario.aircraft.name.replace("\\", "/").rstrip("/").split("/")[-1]
+    """The aircraft's name as people write it; of one that is not shipped its folder's, without the path."""
+    name = scenario.aircraft.name.replace("\\", "/").rstrip("/").split("/")[-1]
+    return WRITTEN.get(name, name)
 
 
 def model_title(scenario: Scenario) -> str:

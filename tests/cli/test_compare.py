@@ -10,5 +10,12 @@ def test_compare_writes_everything_and_is_0_whatever_the_verdicts(tmp_path):
     )  # fmt: skip
     assert result.returncode == 0, result.stderr
     names = {p.name for p in (tmp_path / "c").iterdir()}
-    assert names == {"report.html", "metrics.json", "figures", "paper-ftc.nc", "paper-no-ftc.nc"}
+    assert names == {
+        "report.html",
+        "metrics.json",
+        "scenario.toml",
+        "figures",
+        "paper-ftc.nc",
+        "paper-no-ftc.nc",
+    }
     assert "limit broken" in (tmp_path / "c" / "report.html").read_text()

@@ -10,7 +10,7 @@ from matplotlib.testing.compare import compare_images
 from ftc_jsb.report.figures import draw
 from ftc_jsb.report.figures.estimates import estimates
 from ftc_jsb.report.figures.states import controls, states
-from ftc_jsb.report.figures.style import STYLES
+from ftc_jsb.report.figures.style import REFERENCE, STYLES
 from ftc_jsb.report.figures.trajectories import trajectories
 
 BASELINE = Path(__file__).parent / "baseline"
@@ -83,7 +83,7 @@ def test_figures_of_one_recording_are_as_wide_as_a_column(flown, tmp_path):
 
 
 def test_figures_of_two_scenarios_are_in_a_folder_each(flown, tmp_path, monkeypatch):
-    monkeypatch.setattr(draw, "_figures", lambda flights: {"figure1_states": states(flights)})
+    monkeypatch.setattr(draw, "_figures", lambda flights, wide: {"figure1_states": states(flights)})
     flights = {"a": flown("paper", "duration=25"), "b": flown("severe", "duration=25")}
     drawn = draw.draw_all(flights, tmp_path)
     assert "paper/figure1_states" in drawn
@@ -93,3 +93,51 @@ def test_figures_of_two_scenarios_are_in_a_folder_each(flown, tmp_path, monkeypa
 def test_lines_are_told_apart_in_grey():
     """Okabe and Ito's colours are alike in luminance: it is the dashes that differ, every one."""
     assert len({str(style["linestyle"]) for style in STYLES}) == len(STYLES)
+
+
+def insets(figure):
+    return [child for axes in figure.axes for child in axes.child_axes]
+
+
+def test_the_fault_is_magnified_where_no_line_is_covered(flights):
+    """An inset a model around 20 s; no sample of its panel is behind it."""
+    figure = states(flights)
+    figure.canvas.draw()
+    found = insets(figure)
+    assert len(found) == 2
+    for inset in found:
+        low, high = inset.get_xlim()
+        assert low < 20.0 < high
+        assert high - low < 10.0
+        panel = next(axes for axes in figure.axes if inset in axes.child_axes)
+        frame = inset.get_window_extent()
+        for line in panel.get_lines():
+            points = panel.transData.transform(line.get_xydata())
+            assert not any(frame.contains(*point) for point in points)
+    plt.close(figure)
+
+
+def test_a_flight_without_a_fault_has_no_inset(flown):
+    figure = states({"healthy": flown("nominal")})
+    assert insets(figure) == []
+    plt.close(figure)
+
+
+def test_panels_are_lettered_in_reading_order(flights):
+    figure = states(flights)
+    letters = [text.get_text() for axes in figure.axes for text in axes.texts]
+    assert letters == [f"({letter})" for letter in "abcdef"]
+    plt.close(figure)
+
+
+def test_reference_path_is_drawn_in_space(flights):
+    """One thin dark line a model beside its flights."""
+    figure = trajectories(flights)
+    for axes in figure.axes:
+        widths = [
+            line.get_linewidth()
+            for line in axes.get_lines()
+            if line.get_color() == REFERENCE["color"]
+        ]
+        assert widths == [REFERENCE["linewidth"]]
+    plt.close(figure)

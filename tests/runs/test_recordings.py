@@ -20,18 +20,20 @@ def recordings(flown, tmp_path):
 
 
 def test_flights_of_one_label_are_told_apart_by_scenario_and_folder(recordings):
-    flights, broken = labelled_recordings(recordings)
+    flights, broken, files = labelled_recordings(recordings)
     assert list(flights) == ["paper-ftc (paper, a)", "paper-ftc (paper, b)", "paper-no-ftc"]
     assert broken == []
+    assert list(files.values()) == recordings
+    assert list(files) == list(flights)
 
 
 def test_recording_given_twice_is_two_flights(recordings):
-    flights, _ = labelled_recordings([recordings[0], recordings[0]])
+    flights, _, _ = labelled_recordings([recordings[0], recordings[0]])
     assert list(flights) == ["paper-ftc (paper, a)", "paper-ftc (paper, a) [1]"]
 
 
 def test_recording_that_cannot_be_read_stops_no_other(recordings, tmp_path):
-    flights, broken = labelled_recordings([tmp_path / "none.nc", recordings[2]])
+    flights, broken, _ = labelled_recordings([tmp_path / "none.nc", recordings[2]])
     assert list(flights) == ["paper-no-ftc"]
     assert len(broken) == 1
     assert broken[0].startswith(f"{tmp_path / 'none.nc'}: no such file")

@@ -11,6 +11,7 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 WIDTH, HEIGHT = 460, 300  # px of a drawing
 LEFT, RIGHT, TOP, BOTTOM = 56, 12, 10, 42  # px around its axes
+DASHES = ("", "7 4", "2 3", "7 3 2 3", "11 4")  # px; the first is whole
 COLOURS = 6  # that the page's style has
 _MOST_POINTS = 3000
 
@@ -34,9 +35,21 @@ class Axes(NamedTuple):
 Named = tuple[str, Array, Array]  # name, x and y of a line
 
 
-def curves(axes: Axes, lines: Sequence[Named], marks: Sequence[float] = ()) -> markupsafe.Markup:
-    """Lines with their names; dashed verticals at `marks`."""
+def curves(
+    axes: Axes, lines: Sequence[Named], marks: Sequence[float] = (), chance: bool = False
+) -> markupsafe.Markup:
+    """Lines with their names, told apart by colour and dash.
+
+    Args:
+        axes: that they are drawn on.
+        lines: named.
+        marks: where there are dashed verticals.
+        chance: draw what a coin would do, from the lower left to the upper right, and the names below it.
+    """
     parts = [_frame(axes)]
+    if chance:
+        ends = (*axes.place(axes.x[0], axes.y[0]), *axes.place(axes.x[1], axes.y[1]))
+        parts.append('<path class="mark" d="M{:.1f} {:.1f}L{:.1f} {:.1f}"/>'.format(*ends))
     for mark in marks:
         (x, low), (_, high) = axes.place(mark, axes.y[0]), axes.place(mark, axes.y[1])
         parts.append(
@@ -47,12 +60,22 @@ def curves(axes: Axes, lines: Sequence[Named], marks: Sequence[float] = ()) -> m
             "{:.1f},{:.1f}".format(*axes.place(x, y)) for x, y in zip(xs, ys, strict=True)
         )
         colour = f"var(--line-{number % COLOURS})"
-        parts.append(
-            f'<polyline fill="none" stroke="{colour}" stroke-width="1.8" points="{places}"/>'
+        dash = f' stroke-dasharray="{DASHES[number % len(DASHES)]}"' if number else ""
+        stroke = f'fill="none" stroke="{colour}" stroke-width="1.8"{dash}'
+        parts.append(f'<polyline {stroke} points="{places}"/>')
+        row = (
+            HEIGHT - BOTTOM - 12 - 15 * (len(lines) - 1 - number)
+            if chance
+            else TOP + 14 + 15 * number
         )
-        row = TOP + 14 + 15 * number
+        at, anchor, sample = (
+            (WIDTH - RIGHT - 42, "end", WIDTH - RIGHT - 36)
+            if chance
+            else (LEFT + 46, "start", LEFT + 10)
+        )
+        parts.append(f'<path {stroke} d="M{sample} {row - 4}h30"/>')
         parts.append(
-            f'<text x="{LEFT + 10}" y="{row}" fill="{colour}">{markupsafe.escape(name)}</text>'
+            f'<text x="{at}" y="{row}" text-anchor="{anchor}" fill="{colour}">{markupsafe.escape(name)}</text>'
         )
     return _svg(parts, axes)
 
@@ -73,10 +96,11 @@ def failures(axes: Axes, x: Array, y: Array, failed: npt.NDArray[np.bool_]) -> m
 
 
 def span(values: Array) -> tuple[float, float]:
-    """Range of an axis that shows all of `values`."""
+    """Range of an axis that shows all of `values`, with some room at its ends."""
     finite = values[np.isfinite(values)]
     low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 1.0)
-    return (low, high) if high > low else (low - 0.5, high + 0.5)
+    room = 0.04 * (high - low) if high > low else 0.5
+    return low - room, high + room
 
 
 def _frame(axes: Axes) -> str:
@@ -101,7 +125,13 @@ def _frame(axes: Axes) -> str:
 
 
 def _tick(anchor: str, x: float, y: float, value: float) -> str:
-    return f'<text class="tick" text-anchor="{anchor}" x="{x:.1f}" y="{y:.1f}">{value:.4g}</text>'
+    return (
+        f'<text class="tick" text-anchor="{anchor}" x="{x:.1f}" y="{y:.1f}">{_number(value)}</text>'
+    )
+
+
+def _number(value: float) -> str:
+    return f"{value:.4g}".replace("-", "\u2212")
 
 
 def _ticks(span: tuple[float, float]) -> list[float]:

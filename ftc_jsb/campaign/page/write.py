@@ -12,6 +12,7 @@ from ftc_jsb.analysis.verdict import INSIDE
 from ftc_jsb.campaign.page.drawings import Axes, curves, failures, span
 from ftc_jsb.campaign.schema import Campaign
 from ftc_jsb.campaign.summary import PARAMETER
+from ftc_jsb.report.titles import limit_title
 
 Document = dict[str, Any]
 DIFFERENCES = {  # of `summary.summary`, as they are shown
@@ -42,6 +43,7 @@ def page(campaign: Campaign, document: Document, table: pd.DataFrame, made: list
     environment.filters["percent"] = percent
     environment.filters["interval"] = interval
     environment.filters["number"] = number
+    environment.filters["limit"] = limit_title
     style = resources.files("ftc_jsb.report.page") / "templates" / "report.css"
     return environment.get_template("campaign.html").render(
         campaign=campaign,
@@ -124,4 +126,4 @@ def _roc(document: Document) -> markupsafe.Markup | None:
     axes = Axes(
         (0.0, 1.0), (0.0, 1.0), "Healthy flights above a threshold", "Faulty flights above it"
     )
-    return curves(axes, lines)
+    return curves(axes, lines, chance=True)

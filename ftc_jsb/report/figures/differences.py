@@ -7,12 +7,12 @@ from matplotlib.figure import Figure
 from ftc_jsb.analysis.validity import MOTION, compared
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.report.figures.panels import legend, loop_styles, mark_faults
-from ftc_jsb.report.figures.style import POINTS, RC, width
+from ftc_jsb.report.figures.style import POINTS, RC, letter_panels, width
 from ftc_jsb.report.flight_groups import Flights, model_pairs
 from ftc_jsb.report.titles import loop_title, model_title
 
 
-def differences(flights: Flights) -> Figure | None:
+def differences(flights: Flights, wide: float | None = None) -> Figure | None:
     """A column for each point mass, a row for each variable; None without both models."""
     columns: dict[str, list[tuple[Flight, Flight]]] = {}
     for label, partner in model_pairs(flights):
@@ -23,7 +23,7 @@ def differences(flights: Flights) -> Figure | None:
     styles = loop_styles(flights)
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(
-            len(MOTION), len(columns), figsize=(width(len(columns)), 0.95 * len(MOTION) + 0.7),
+            len(MOTION), len(columns), figsize=(width(len(columns), wide), 0.95 * len(MOTION) + 0.7),
             sharex=True, squeeze=False,
         )  # fmt: skip
         for column, (title, couples) in enumerate(columns.items()):
@@ -39,6 +39,7 @@ def differences(flights: Flights) -> Figure | None:
                 if column == 0:
                     axes.set_ylabel(f"{variable.title}\n[{variable.unit or '-'}]")
             grid[-1, column].set_xlabel("Time [s]")
+        letter_panels(grid.flat)
         figure.align_ylabels()
         legend(figure, flights)
     return figure

@@ -8,6 +8,8 @@ from matplotlib.figure import Figure
 
 from ftc_jsb.analysis.effectiveness_estimate import unobservable
 from ftc_jsb.recording.flight import Flight
+from ftc_jsb.report.fault_times import onset
+from ftc_jsb.report.figures.inset import draw_inset, find_inset
 from ftc_jsb.report.figures.panels import (
     by_model,
     head_column,
@@ -16,23 +18,25 @@ from ftc_jsb.report.figures.panels import (
     mark_faults,
     thinned,
 )
-from ftc_jsb.report.figures.style import RC, REFERENCE, UNOBSERVABLE, width
+from ftc_jsb.report.figures.style import RC, REFERENCE, UNOBSERVABLE, letter_panels, width
 from ftc_jsb.report.flight_groups import Flights
 from ftc_jsb.report.titles import loop_title
 from ftc_jsb.vocabulary.channels import Channel
 from ftc_jsb.vocabulary.quantities import QUANTITIES
 
-ERRORS = 0.05  # the error's axis ends here; what goes beyond is the transient at the fault
+BEFORE, AFTER = 0.5, 1.5  # [s] around the fault that are magnified
+ERRORS = 0.05  # the error's axis ends here at least; what goes beyond is the transient at the fault
+MOST = 0.95  # part of the samples of every flight that the error's axis shows
 
 
-def estimates(flights: Flights, channel: Channel = "thrust") -> Figure:
+def estimates(flights: Flights, channel: Channel = "thrust", wide: float | None = None) -> Figure:
     """Figure 4 for one channel: estimate, 2-sigma band and truth above, the error below."""
     columns, styles = by_model(flights), loop_styles(flights)
     name = f"effectiveness_{channel}"
-    lost = False
+    lost, largest = False, ERRORS
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(
-            2, len(columns), figsize=(width(len(columns)), 3.0), sharex=True, sharey="row",
+            2, len(columns), figsize=(width(len(columns), wide), 3.0), sharex=True, sharey="row",
             squeeze=False, height_ratios=(2, 1),
         )  # fmt: skip
         for column, (title, members) in enumerate(columns.items()):
@@ -51,6 +55,7 @@ def estimates(flights: Flights, channel: Channel = "thrust") -> Figure:
                     time, estimate - band, estimate + band, color=style["color"], alpha=0.2, lw=0
                 )
                 lower.plot(time, estimate - truth, **style)
+                largest = max(largest, float(np.nanquantile(np.abs(estimate - truth), MOST)))
             for axes in (upper, lower):
                 mark_faults(axes, members[0])
                 lost = _mark_unobservable(axes, members[0], channel) or lost
@@ -58,7 +63,13 @@ def estimates(flights: Flights, channel: Channel = "thrust") -> Figure:
         grid[0, 0].set_ylabel(f"{QUANTITIES[channel].title} effectiveness [-]")
         grid[1, 0].set_ylabel("Error [-]")
         for axes in grid[1]:
-            axes.set_ylim(-ERRORS, ERRORS)
+            axes.set_ylim(-largest, largest)
+        for column, members in enumerate(columns.values()):
+            fault = onset(members[0])
+            inset = find_inset(grid[0, column], fault, BEFORE, AFTER)
+            if inset is not None and fault is not None:
+                draw_inset(grid[0, column], inset, fault)
+        letter_panels(grid.flat)
         figure.align_ylabels()
         legend(figure, flights, reference="true", unobservable=lost)
     return figure

@@ -10,26 +10,46 @@ from matplotlib.figure import Figure
 
 from ftc_jsb.analysis.tracking import values_of
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.report.fault_times import fault_times
-from ftc_jsb.report.figures.style import FAULT, POINTS, RC, REFERENCE, STYLES, UNOBSERVABLE, width
+from ftc_jsb.report.fault_times import fault_times, onset
+from ftc_jsb.report.figures.inset import draw_inset, find_inset
+from ftc_jsb.report.figures.style import (
+    FAULT,
+    POINTS,
+    RC,
+    REFERENCE,
+    STYLES,
+    UNOBSERVABLE,
+    letter_panels,
+    width,
+)
 from ftc_jsb.report.flight_groups import Flights
 from ftc_jsb.report.titles import loop_title, model_title
 from ftc_jsb.vocabulary.quantities import Quantity
 
+BEFORE, AFTER = 1.0, 4.0  # [s] around the fault that are magnified
+MAGNIFIED = 1.5  # height of a row with insets, of that of another
+ROOM = 0.7  # of a panel's height, that is added below where an inset has no room
 
-def panels(flights: Flights, rows: dict[str, Quantity], reference: bool) -> Figure:
+
+def panels(
+    flights: Flights, rows: dict[str, Quantity], reference: bool, wide: float | None = None
+) -> Figure:
     """A figure of variables over time, of flights of one scenario.
 
     Args:
         flights: by label.
         rows: by the label of their axis.
         reference: whether each variable has one, which is drawn once a model.
+        wide: width [in], where one is asked for.
     """
     columns, styles = by_model(flights), loop_styles(flights)
+    heights = [MAGNIFIED if any(map(fault_times, flights.values())) else 1.0] + [1.0] * (
+        len(rows) - 1
+    )
     with mpl.rc_context(RC):
         figure, grid = plt.subplots(
-            len(rows), len(columns), figsize=(width(len(columns)), 1.2 * len(rows) + 0.6),
-            sharex=True, sharey="row", squeeze=False,
+            len(rows), len(columns), figsize=(width(len(columns), wide), 1.2 * sum(heights) + 0.6),
+            sharex=True, sharey="row", squeeze=False, height_ratios=heights,
         )  # fmt: skip
         for column, (title, members) in enumerate(columns.items()):
             head_column(grid[0, column], title, len(columns))
@@ -48,9 +68,25 @@ def panels(flights: Flights, rows: dict[str, Quantity], reference: bool) -> Figu
                 if column == 0:
                     axes.set_ylabel(label)
             grid[-1, column].set_xlabel("Time [s]")
+        _magnify(grid[0], [onset(members[0]) for members in columns.values()])
+        letter_panels(grid.flat)
         figure.align_ylabels()
         legend(figure, flights, reference="reference" if reference else None)
     return figure
+
+
+def _magnify(row: npt.NDArray[Any], faults: list[float | None]) -> None:
+    """An inset around the fault in every panel of a row; the row gets room below where it has none."""
+    for room in (0.0, ROOM):
+        low, high = row[0].get_ylim()
+        row[0].set_ylim(low - room * (high - low), high)
+        insets = [find_inset(*each, BEFORE, AFTER) for each in zip(row, faults, strict=True)]
+        if all(inset is not None for inset in insets):
+            for axes, inset, fault in zip(row, insets, faults, strict=True):
+                if inset is not None and fault is not None:
+                    draw_inset(axes, inset, fault)
+            return
+    row[0].set_ylim(low, high)
 
 
 def head_column(axes: Axes, title: str, columns: int) -> None:

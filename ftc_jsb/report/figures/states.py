@@ -9,21 +9,21 @@ from ftc_jsb.vocabulary.channels import TRACKED
 from ftc_jsb.vocabulary.quantities import QUANTITIES, Quantity
 
 
-def states(flights: Flights) -> Figure:
+def states(flights: Flights, wide: float | None = None) -> Figure:
     """Figure 1: airspeed, flight path angle and heading with their references."""
-    return panels(flights, _labelled(TRACKED), reference=True)
+    return panels(flights, _labelled(TRACKED), reference=True, wide=wide)
 
 
-def tracking(flights: Flights) -> Figure:
+def tracking(flights: Flights, wide: float | None = None) -> Figure:
     """Tracking errors: airspeed, flight path angle and heading minus their references."""
-    return panels(flights, _labelled(ERROR_NAMES), reference=False)
+    return panels(flights, _labelled(ERROR_NAMES), reference=False, wide=wide)
 
 
-def controls(flights: Flights) -> Figure:
+def controls(flights: Flights, wide: float | None = None) -> Figure:
     """Figure 2: commanded thrust, and load factor and bank angle as flown."""
     thrust = QUANTITIES["thrust_cmd"]
     rows = {thrust.short_axis_label: thrust, **_labelled(("load_factor", "bank_angle"))}
-    return panels(flights, rows, reference=False)
+    return panels(flights, rows, reference=False, wide=wide)
 
 
 def _labelled(names: tuple[str, ...]) -> dict[str, Quantity]:

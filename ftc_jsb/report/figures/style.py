@@ -1,14 +1,18 @@
 """What the figures for print share: sizes, fonts, line styles, and how they are saved."""
 
-from collections.abc import Sequence
+import string
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
+from matplotlib import font_manager
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ftc_jsb.atomic_file import atomic_file
+from ftc_jsb.errors import FigureError
 
 COLUMN = 3.5  # [in], one column of a two-column page
 PAGE = 7.16  # [in], both columns
@@ -49,9 +53,47 @@ RC: dict[Any, Any] = {
 }
 
 
-def width(columns: int) -> float:
-    """Width [in] of a figure with this many models beside each other."""
+class Print(NamedTuple):
+    """What a publisher asks of figures."""
+
+    font: str | None = None  # family; None is matplotlib's own
+    width: float | None = None  # [in]; None is a column for one model, else a page
+    formats: tuple[str, ...] = FORMATS
+
+    def checked(self) -> "Print":
+        """The same.
+
+        Raises:
+            FigureError: the font is not installed here.
+        """
+        generic = ("serif", "sans-serif", "monospace")
+        if self.font is not None and self.font not in generic:
+            try:
+                font_manager.findfont(self.font, fallback_to_default=False)
+            except ValueError:
+                known = sorted(set(font_manager.get_font_names()))
+                raise FigureError(
+                    f"--font {self.font}: not installed; expected one of {', '.join((*generic, *known))}"
+                ) from None
+        return self
+
+
+def width(columns: int, asked: float | None = None) -> float:
+    """Width [in] of a figure with this many models beside each other, unless one is asked for."""
+    if asked is not None:
+        return asked
     return COLUMN if columns == 1 else PAGE * max(columns, 3) / 3.0
+
+
+def letter_panels(panels: Iterable[Axes]) -> None:
+    """(a), (b), (c) in the upper left corner of each panel; a single one needs none."""
+    axes = list(panels)
+    for letter, one in zip(string.ascii_lowercase, axes if len(axes) > 1 else [], strict=False):
+        one.annotate(
+            f"({letter})", (0.0, 1.0), (2.5, -2.5), "axes fraction", "offset points",
+            ha="left", va="top", zorder=6,
+            bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.75},
+        )  # fmt: skip
 
 
 def save(figure: Figure, folder: Path, name: str, formats: Sequence[str] = FORMATS) -> None:

@@ -9,13 +9,15 @@ import numpy.typing as npt
 
 from ftc_jsb.analysis.command_following import AXES, commanded_and_achieved
 from ftc_jsb.analysis.effectiveness_estimate import unobservable
-from ftc_jsb.analysis.filter_health import INNOVATIONS, SIGMAS, whitened
-from ftc_jsb.analysis.tracking import tracking_errors
+from ftc_jsb.analysis.fault_detection import HEALTHY
+from ftc_jsb.analysis.filter_health import INNOVATIONS, whitened
+from ftc_jsb.analysis.tracking import position_errors, tracking_errors
 from ftc_jsb.analysis.validity import MOTION, apart
 from ftc_jsb.recording.flight import Flight
 from ftc_jsb.report.fault_times import fault_times
 from ftc_jsb.report.findings import Findings
-from ftc_jsb.report.flight_groups import Flights, model_pairs
+from ftc_jsb.report.flight_groups import Flights, by_scenario, model_pairs
+from ftc_jsb.report.page.envelope import equivalent_airspeed
 from ftc_jsb.vocabulary.channels import CHANNELS, Channel
 from ftc_jsb.vocabulary.quantities import KILO, QUANTITIES
 
@@ -25,6 +27,8 @@ Columns = dict[str, Array]
 MOST_POINTS = 3000  # of a flight, evenly spaced
 ALL_POINTS = 18_000  # of all flights together: six full ones, 4 MB on the page
 CLOSE = 1.0  # [s] before and after a fault in which no sample is left out
+POSITION_LOOP = "path"  # tracks the position
+PLACE = ("north", "east")
 STATES = {  # on the page: in the recording
     "airspeed": "airspeed",
     "flight_path": "flight_path_angle",
@@ -48,9 +52,14 @@ def flight_series(flights: Flights, findings: Findings) -> dict[str, Series]:
     """
     points = max(min(MOST_POINTS, ALL_POINTS // len(flights)), 200)
     partners = dict(model_pairs(flights))
+    paths = _with_reference_path(flights)
     found = {}
     for label, flight in flights.items():
-        columns = _columns(flight) | _findings(label, flight, findings)
+        columns = _columns(flight) | _envelope(flight) | _findings(label, flight, findings)
+        if flight.scenario.loop.name == POSITION_LOOP or label in paths.tracked:
+            columns |= position_errors(flight.record)
+        if label in paths.longest:
+            columns |= {f"{k}_ref": QUANTITIES[k].shown(flight.record[f"{k}_ref"]) for k in PLACE}
         if label in partners:
             columns |= _differences(flight, flights[partners[label]])
         columns = {name: values for name, values in columns.items() if np.isfinite(values).any()}
@@ -58,6 +67,30 @@ def flight_series(flights: Flights, findings: Findings) -> dict[str, Series]:
         rows = _kept(flight, columns, every)
         found[label] = Series({n: _packed(values[rows]) for n, values in columns.items()}, every)
     return found
+
+
+class _Paths(NamedTuple):
+    """Flights by label: whose place is judged, and of which the reference path is drawn."""
+
+    tracked: set[str]
+    longest: set[str]
+
+
+def _with_reference_path(flights: Flights) -> _Paths:
+    """All flights of a scenario that the position loop flew; the longest flight of each scenario."""
+    tracked: set[str] = set()
+    longest: set[str] = set()
+    for members in by_scenario(flights).values():
+        if any(flight.scenario.loop.name == POSITION_LOOP for flight in members.values()):
+            tracked |= set(members)
+        longest.add(max(members, key=lambda label: members[label].record["time"][-1]))
+    return _Paths(tracked, longest)
+
+
+def _envelope(flight: Flight) -> Columns:
+    """What the V-n and the Mach-altitude panel are of, beside the load factor and the altitude."""
+    r = flight.record
+    return {"mach": r["mach"], "equivalent_airspeed": equivalent_airspeed(flight)}
 
 
 def _columns(flight: Flight) -> Columns:
@@ -85,16 +118,15 @@ def _columns(flight: Flight) -> Columns:
 
 
 def _effectiveness(flight: Flight, channel: Channel) -> Columns:
+    """Truth and estimate of a channel; nothing of one that nobody estimates and that is healthy."""
     r, name = flight.record, f"effectiveness_{channel}"
     estimate, deviation = r[f"{name}_est"], r[f"{name}_std"]
-    columns = {
-        f"{name}_true": r[name],
+    columns: Columns = {}
+    if np.isfinite(estimate).any() or np.nanmin(r[name]) < HEALTHY or channel == "thrust":
+        columns[f"{name}_true"] = r[name]
+    columns |= {
         f"{name}_estimate": estimate,
-        f"{name}_low": estimate - SIGMAS * deviation,
-        f"{name}_high": estimate + SIGMAS * deviation,
         f"{name}_error": estimate - r[name],
-        f"{name}_error_low": -SIGMAS * deviation,
-        f"{name}_error_high": SIGMAS * deviation,
         f"{name}_deviation": deviation,
     }
     if channel in flight.scenario.loop.estimator.channels:

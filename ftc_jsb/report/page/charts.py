@@ -14,7 +14,7 @@ from ftc_jsb.vocabulary.quantities import QUANTITIES
 ONCE = "reference"  # drawn once for a scenario, in ink
 LINE = "line"  # in the flight's colour and dash
 WIDE = "wide"  # behind a line, broad and pale: what was asked for
-BAND = "band"  # between two columns
+BAND = "band"  # a column and its deviation: so many SIGMAS to each side; of one around zero
 MARK = "mark"  # over a line, where something holds
 BOUND = "bound"  # thin and dotted, in the flight's colour
 
@@ -36,20 +36,43 @@ class Row(NamedTuple):
     decades: int = 0  # between ticks of a logarithmic axis; 0 = linear
 
 
+TIME, TIMELINE, SPACE, PLAN, PLANE = (
+    "time",
+    "timeline",
+    "space",
+    "plan",
+    "plane",
+)  # what a chart is drawn over
+
+
 class Chart(NamedTuple):
-    """Rows over one time axis, or the trajectory."""
+    """Rows over one time axis, or one row in space, on a plan or over another variable."""
 
     name: str
     section: str
     title: str
     note: str
     rows: tuple[Row, ...]
+    kind: str = TIME
+    across: str = ""  # label of the other axis of a PLANE
 
 
-def charts(series: dict[str, Series]) -> list[Chart]:
-    """The charts that these flights have data for."""
+_TIMELINE = Chart(
+    "timeline", "timeline", "What happened when",
+    "A bar for each flight, in its colour and in the order of the list above. Dotted: the fault.",
+    (), TIMELINE,
+)  # fmt: skip
+
+
+def charts(series: dict[str, Series], eventful: bool = False) -> list[Chart]:
+    """The charts that these flights have data for.
+
+    Args:
+        series: of each flight.
+        eventful: there is something to be seen in the timeline.
+    """
     known = {name for flight in series.values() for name in flight.columns}
-    found = []
+    found = [_TIMELINE] if eventful else []
     for chart in _all_charts():
         rows = []
         for row in chart.rows:
@@ -66,12 +89,19 @@ def as_data(chart: Chart) -> dict[str, Any]:
     rows = [
         {**row._asdict(), "lines": [line._asdict() for line in row.lines]} for row in chart.rows
     ]
-    return {"name": chart.name, "title": chart.title, "rows": rows}
+    return {
+        "name": chart.name,
+        "title": chart.title,
+        "kind": chart.kind,
+        "across": chart.across,
+        "rows": rows,
+    }
 
 
 def _all_charts() -> tuple[Chart, ...]:
     return (
         *_flight_charts(),
+        *_place_charts(),
         *_validity_charts(),
         *_estimator_charts(),
         Chart(
@@ -89,6 +119,15 @@ def _flight_charts() -> tuple[Chart, ...]:
     states = [QUANTITIES[name].axis_label for name in TRACKED]
     inputs = [QUANTITIES[channel].short_axis_label for channel in CHANNELS]
     return (
+        Chart(
+            "positions", "flights", "Position errors",
+            "Place minus that on the path that the references make: ahead, right and above are positive.",
+            (
+                Row("Ahead [m]", (_line("error_along"),)),
+                Row("Right [m]", (_line("error_across"),)),
+                Row("Above [m]", (_line("error_height"),)),
+            ),
+        ),
         Chart(
             "states", "flights", "Airspeed, flight path, heading",
             "Thin dark line: reference, output of the command filter. Dotted: the fault.",
@@ -114,14 +153,46 @@ def _flight_charts() -> tuple[Chart, ...]:
                 )
             ),
         ),
+    )  # fmt: skip
+
+
+def _place_charts() -> tuple[Chart, ...]:
+    altitude, load_factor = QUANTITIES["altitude"].axis_label, QUANTITIES["load_factor"].axis_label
+    return (
         Chart(
             "trajectory", "flights", "Trajectory",
             "Dot: the fault sets in. Ring: the time cursor.",
+            (Row(altitude, (Line(LINE, ("east", "north", "altitude")),)),),
+            SPACE,
+        ),
+        Chart(
+            "track", "flights", "Ground track",
+            "North is up. Thin dark line: the path that the references make. Dot: the fault sets in. "
+            "Ring: the time cursor.",
             (
                 Row(
-                    QUANTITIES["altitude"].axis_label, (Line(LINE, ("east", "north", "altitude")),)
+                    QUANTITIES["north"].axis_label,
+                    (Line(LINE, ("east", "north")), Line(ONCE, ("east_ref", "north_ref"))),
                 ),
             ),
+            PLAN,
+            QUANTITIES["east"].axis_label,
+        ),
+        Chart(
+            "vn", "flights", "V–n: load factor over airspeed",
+            "Dashed: load factors that the loop may command, the greatest lift at the mass of the "
+            "start, and the fastest that the model was fitted at.",
+            (Row(load_factor, (Line(LINE, ("equivalent_airspeed", "load_factor_flown")),)),),
+            PLANE,
+            "Equivalent airspeed [m/s]",
+        ),
+        Chart(
+            "mach_altitude", "flights", "Altitude over Mach number",
+            "Dashed: the range that the model was fitted in, and the slowest level flight at the "
+            "greatest lift and the mass of the start.",
+            (Row(altitude, (Line(LINE, ("mach", "altitude")),)),),
+            PLANE,
+            "Mach number [-]",
         ),
     )  # fmt: skip
 
@@ -166,7 +237,7 @@ def _estimator_charts() -> tuple[Chart, ...]:
     return (
         Chart(
             "innovations", "estimator", "Innovations over their σ, and NIS",
-            "Dashed: 95 % bounds. A fault drives them far outside for a moment; double-click to see all.",
+            "Dashed: 95 % bounds. A fault drives them far outside for a moment: zoom in on it.",
             (
                 *(
                     Row(
@@ -211,14 +282,14 @@ def _estimate_chart(channel: str) -> Chart:
             Row(
                 "Effectiveness [-]",
                 (
-                    Line(BAND, (f"{name}_low", f"{name}_high")),
+                    Line(BAND, (f"{name}_estimate", f"{name}_deviation")),
                     _line(f"{name}_estimate"),
                     _once(f"{name}_true"),
                 ),
             ),
             Row(
                 "Error [-]",
-                (Line(BAND, (f"{name}_error_low", f"{name}_error_high")), _line(f"{name}_error")),
+                (Line(BAND, (f"{name}_deviation",)), _line(f"{name}_error")),
                 span=(-0.05, 0.05),
             ),
         ),

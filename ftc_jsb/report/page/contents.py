@@ -5,27 +5,29 @@ from typing import Any
 
 import markupsafe
 
+from ftc_jsb.analysis.fault_timeline import EVENTS
+from ftc_jsb.analysis.filter_health import SIGMAS
 from ftc_jsb.analysis.validity import ACCEPTED
 from ftc_jsb.recording.provenance import machine, versions
 from ftc_jsb.report.fault_times import fault_times
 from ftc_jsb.report.findings import Findings
-from ftc_jsb.report.flight_groups import Flights, by_scenario, flown_scenario, scenario_differences
+from ftc_jsb.report.flight_groups import Flights, by_scenario, scenario_differences
+from ftc_jsb.report.page import envelope
 from ftc_jsb.report.page.chart_series import Series
 from ftc_jsb.report.page.charts import Chart, as_data, charts
 from ftc_jsb.report.page.comparison_table import comparison_table
 from ftc_jsb.report.page.first_screen import first_screen
+from ftc_jsb.report.page.linked_files import scenario_text
 from ftc_jsb.report.page.linked_numbers import LinkedNumber, linked_number
+from ftc_jsb.report.page.panels import looks
 from ftc_jsb.report.page.section_tables import (
     difference_tables,
     estimator_table,
     model_table,
     stability_table,
 )
-from ftc_jsb.report.titles import flight_titles, loop_title, model_title
-from ftc_jsb.scenario.load import scenario_toml
-
-DASHES = ("solid", "dash", "dot", "dashdot", "longdash")
-COLOURS = 6  # that the page's style sheet has
+from ftc_jsb.report.page.timeline_table import cause, timeline_table
+from ftc_jsb.report.titles import flight_titles
 
 
 def page_contents(
@@ -43,7 +45,8 @@ def page_contents(
     titles = flight_titles(flights)
     groups = by_scenario(flights)
     first = next(iter(flights.values()))
-    drawn = charts(series)
+    drawn = charts(series, any(e["timeline"] for e in document["flights"].values()))
+    look = looks(flights)
     return {
         "title": _title(flights),
         "description": first.scenario.description.strip() if len(groups) == 1 else "",
@@ -59,11 +62,13 @@ def page_contents(
         "stability_table": stability_table(flights, document, titles),
         "samples_per_point": _samples_per_point(document, titles),
         "charts": drawn,
-        "flight_chips": _chips(flights, titles),
-        "data": _data(flights, titles, series, drawn),
-        "scenarios": [
-            (name, scenario_toml(flown_scenario(members))) for name, members in groups.items()
+        "panelled": len(look.panels) > 1,
+        "flight_chips": [
+            {**look.by_label[label]._asdict(), "title": titles[label]} for label in flights
         ],
+        "timeline_table": timeline_table(flights, document, titles),
+        "data": _data(flights, document, titles, series, drawn),
+        "scenarios": [(name, scenario_text(members)) for name, members in groups.items()],
         "made": _made(flights),
     }
 
@@ -84,24 +89,12 @@ def _samples_per_point(
     ]
 
 
-def _chips(flights: Flights, titles: dict[str, str]) -> list[dict[str, Any]]:
-    """Colour and dash of each flight: a colour for a model of a scenario, a dash for a loop."""
-    colours: dict[tuple[str, str], int] = {}
-    dashes: dict[str, int] = {}
-    chips = []
-    for name, members in by_scenario(flights).items():
-        for label, flight in members.items():
-            model = (name, model_title(flight.scenario))
-            colour = colours.setdefault(model, len(colours)) % COLOURS
-            loop = loop_title(flight.scenario)
-            dash = DASHES[dashes.setdefault(loop, len(dashes)) % len(DASHES)]
-            chips.append({"label": label, "title": titles[label], "colour": colour, "dash": dash})
-    order = list(flights)
-    return sorted(chips, key=lambda chip: order.index(chip["label"]))
-
-
 def _data(
-    flights: Flights, titles: dict[str, str], series: dict[str, Series], drawn: list[Chart]
+    flights: Flights,
+    document: dict[str, Any],
+    titles: dict[str, str],
+    series: dict[str, Series],
+    drawn: list[Chart],
 ) -> markupsafe.Markup:
     """Flights and charts as JSON inside the page; `</` must not end the script element."""
     groups = {
@@ -109,13 +102,30 @@ def _data(
         for number, members in enumerate(by_scenario(flights).values())
         for label in members
     }
+    look = looks(flights)
     entries = [
-        {**chip, "group": groups[chip["label"]], "faults": fault_times(flights[chip["label"]])}
-        | {"columns": series[chip["label"]].columns}
-        for chip in _chips(flights, titles)
+        {
+            "title": titles[label],
+            "group": groups[label],
+            "faults": fault_times(flight),
+            **look.by_label[label]._asdict(),
+            "timeline": [
+                {**stretch, "what": cause(stretch)}
+                for stretch in document["flights"][label]["timeline"]
+            ],
+            "columns": series[label].columns,
+        }
+        for label, flight in flights.items()
     ]
-    text = json.dumps({"flights": entries, "charts": [as_data(chart) for chart in drawn]})
-    return markupsafe.Markup(text.replace("</", "<\\/"))
+    found = {
+        "flights": entries,
+        "panels": look.panels,
+        "charts": [as_data(chart) for chart in drawn],
+        "outlines": envelope.as_data(envelope.outlines(flights)),
+        "events": list(EVENTS),
+        "sigmas": SIGMAS,
+    }
+    return markupsafe.Markup(json.dumps(found).replace("</", "<\\/"))
 
 
 def _title(flights: Flights) -> str:

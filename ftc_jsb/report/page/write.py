@@ -1,8 +1,9 @@
 """The report: one self-contained HTML file, its figures, and the numbers beside it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib import resources
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import jinja2
@@ -18,6 +19,7 @@ from ftc_jsb.report.flight_groups import Flights
 from ftc_jsb.report.measured_margins import MeasuredMargins
 from ftc_jsb.report.page.chart_series import flight_series
 from ftc_jsb.report.page.contents import page_contents
+from ftc_jsb.report.page.linked_files import recording_links, write_scenarios
 from ftc_jsb.runs.metrics_file import write_metrics
 
 
@@ -38,8 +40,9 @@ def write_report(
     unread: tuple[str, ...] = (),
     margins: Sequence[MeasuredMargins] = (),
     tell: Callable[[str], None] = _silent,
+    recordings: Mapping[str, Path] = MappingProxyType({}),
 ) -> dict[str, Any]:
-    """Write `report.html`, `metrics.json` and `figures/` for flights by label.
+    """Write `report.html`, `metrics.json`, the scenarios and `figures/` for flights by label.
 
     Args:
         flights: at least one.
@@ -48,6 +51,7 @@ def write_report(
         unread: what is wrong with recordings that could not be read.
         margins: of `ftc-jsb margins`, for the flights that they are of.
         tell: told what is begun, as often as `steps` says.
+        recordings: files of the flights, by label, which the page links to.
 
     Returns:
         The contents of `metrics.json`.
@@ -71,9 +75,15 @@ def write_report(
         tell("figures")
         drawn = draw_all(flights, folder / "figures")
         tell("page")
+        files = write_scenarios(flights, folder) + recording_links(flights, recordings, folder)
         contents = page_contents(flights, findings, series, unread)
         page = environment.get_template("report.html").render(
-            **contents, command=command, figures=drawn, formats=FORMATS, script=_embedded()
+            **contents,
+            command=command,
+            files=files,
+            figures=drawn,
+            formats=FORMATS,
+            script=_embedded(),
         )
         write_text(folder / "report.html", page)
     except OSError as error:
@@ -86,8 +96,10 @@ def _embedded() -> dict[str, markupsafe.Markup]:
     from plotly.offline import get_plotlyjs
 
     here = resources.files("ftc_jsb.report.page") / "templates"
+    parts = sorted((here / "script").iterdir(), key=lambda part: part.name)
+    page = "".join(part.read_text(encoding="utf-8") for part in parts if part.name.endswith(".js"))
     return {
         "style": markupsafe.Markup((here / "report.css").read_text(encoding="utf-8")),
         "plotly": markupsafe.Markup(get_plotlyjs()),
-        "page": markupsafe.Markup((here / "report.js").read_text(encoding="utf-8")),
+        "page": markupsafe.Markup(f'"use strict";\n(() => {{\n{page}}})();'),
     }

@@ -95,6 +95,8 @@ def test_every_chart_draws_its_data_without_errors_or_requests(opened):
             "gd.data.map(t => [t.owners.length, Array.from(t.y).filter(Number.isFinite).length])",
         )
         lines = [count for _, count in sizes if count > 100]
+        if name == "timeline":
+            continue
         assert len(lines) >= 4, name
         if name != "trajectory":
             paths = opened.plot(
@@ -277,6 +279,18 @@ def test_no_chart_offers_an_upload(opened):
     )
     assert any("CSV" in title for title in titles)
     assert not [title for title in titles if "hare" in title or "loud" in title or "Edit" in title]
+    assert opened.plot("states", "gd._context.plotlyServerURL") == ""
+
+
+def test_a_chart_is_saved_as_svg(opened):
+    opened.show("states")
+    opened.page.locator("#chart-states").hover()
+    with opened.page.expect_download() as waiting:
+        opened.page.locator("#chart-states .modebar-btn[data-title*=SVG]").click()
+    text = waiting.value.path().read_text(encoding="utf-8")
+    assert waiting.value.suggested_filename == "states.svg"
+    assert text.startswith("<svg")
+    assert "Airspeed [m/s]" in text
 
 
 def test_a_chart_is_saved_as_csv_with_every_drawn_sample(opened, written):
@@ -292,17 +306,163 @@ def test_a_chart_is_saved_as_csv_with_every_drawn_sample(opened, written):
     assert len(lines) - 1 == drawn
 
 
-def test_a_number_under_the_mouse_has_its_unit(opened):
+def middle_of(opened, name):
+    box = opened.page.locator(f"#chart-{name} .plot .nsewdrag").first.bounding_box()
+    return box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+
+
+def test_a_number_under_the_mouse_has_its_unit_and_leaves_the_curves_visible(opened, written):
+    """A row for each flight, a column for each variable, outside the plot: below or above it."""
     opened.show("states", "controls")
-    assert opened.plot("states", "gd.data[0].hovertemplate").endswith(" m/s")
-    assert opened.plot("controls", "gd.data[0].hovertemplate").endswith(" kN")
+    opened.show("states")
+    opened.page.mouse.move(*middle_of(opened, "states"))
+    readout = opened.page.locator("#chart-states .readout")
+    readout.wait_for(state="visible")
+    rows = readout.locator("tr")
+    assert rows.count() == len(written.flights) + 1
+    cells = rows.nth(1).locator("td").all_inner_texts()
+    assert [text.split()[1] for text in cells] == ["m/s", "deg", "deg"]
+    box, plot = readout.bounding_box(), opened.page.locator("#chart-states .plot").bounding_box()
+    assert box["y"] >= plot["y"] + plot["height"] - 1 or box["y"] + box["height"] <= plot["y"] + 1
+    assert opened.page.locator(".hoverlayer .hovertext").count() == 0
+    opened.page.mouse.move(2, 2)
+    readout.wait_for(state="hidden")
 
 
-def test_play_moves_the_time_cursor_and_pauses(opened):
+def test_scales_follow_a_zoom(opened, written):
+    """Airspeed at 20 to 24 s: its axis holds what is flown there and little else; all again at once."""
+    opened.show("states")
+    whole = opened.plot("states", "gd._fullLayout.yaxis.range")
+    opened.page.fill("#from", "2")
+    opened.page.fill("#to", "15")
+    opened.page.keyboard.press("Enter")
+    low, high = opened.plot("states", "gd._fullLayout.yaxis.range")
+    least, most = (
+        pick(pick(flight.record["airspeed"][210:1490]) for flight in written.flights.values())
+        for pick in (min, max)
+    )
+    assert low <= least
+    assert high >= most
+    assert high - low < 1.5 * (most - least) + 0.1
+    assert high - low < 0.5 * (whole[1] - whole[0])
+    opened.page.click("#all")
+    assert opened.plot("states", "gd._fullLayout.yaxis.range") == whole
+
+
+def test_timeline_has_a_bar_from_the_declaration_on(opened, written):
+    opened.show("timeline")
+    assert opened.plot("timeline", "gd._fullLayout.yaxis.ticktext") == ["fault", "declared"]
+    delay = written.document["flights"]["paper-ftc"]["detection_delay_s"]
+    bars = opened.plot(
+        "timeline",
+        "gd.data.filter(t => t.mode === 'lines').map(t => [t.owners[0], t.x[0], t.x[1]])",
+    )
+    number = list(written.flights).index("paper-ftc")
+    assert [number, pytest.approx(20.0 + delay), pytest.approx(60.0)] in bars
+    assert len(bars) == 2 * len(written.flights)
+
+
+def test_ground_track_is_a_plan_with_north_up(opened, written):
+    """A kilometre is as long to the east as to the north, and the arrow says where north is."""
+    opened.show("track")
+    east, north = opened.plot(
+        "track",
+        "[gd._fullLayout.xaxis, gd._fullLayout.yaxis].map(a => a._length / (a.range[1] - a.range[0]))",
+    )
+    assert east == pytest.approx(north, rel=0.01)
+    assert "N" in opened.page.locator("#chart-track .annotation-text").all_text_contents()
+    labels = opened.page.locator("#chart-track .plot text").all_text_contents()
+    assert {"East [km]", "North [km]"} <= set(labels)
+
+
+def test_envelope_panels_have_the_limits_of_each_aircraft(opened):
+    """Dashed: the F-16's and the paper's; every flight is a line inside the axes."""
+    opened.show("vn", "mach_altitude")
+    for name in ("vn", "mach_altitude"):
+        outlines = opened.plot(
+            name,
+            "gd.data.filter(t => t.line && t.line.dash === 'dash' && t.owners.length > 1).map(t => t.name)",
+        )
+        assert sorted(outlines) == ["F-16", "paper's aircraft"]
+
+
+def test_position_errors_come_first_where_the_position_is_tracked(browser, helix):
+    opened = Opened(browser, helix)
+    flight_charts = opened.page.eval_on_selector_all(
+        "#flights .chart", "all => all.map(c => c.dataset.chart)"
+    )
+    assert flight_charts[0] == "positions"
+    opened.show("positions")
+    record = helix.flights["paper-path"].record
+    height = opened.plot(
+        "positions", "Array.from(gd.data.find(t => t.yaxis === 'y3' && t.owners[0] === 0).y)"
+    )
+    flown_height = record["altitude"] - record["altitude_ref"]
+    assert max(height) == pytest.approx(flown_height.max(), rel=1e-4, abs=1e-3)
+    assert opened.complaints == []
+    opened.context.close()
+
+
+def test_noisy_models_have_panels_and_their_lines_are_no_solid_blocks(browser, noisy):
+    """A column a model; a line that swings faster than a pixel is its mean in a pale band."""
+    opened = Opened(browser, noisy)
+    opened.show("errors")
+    axes = opened.plot("errors", "gd._fullLayout._subplots.xaxis.length")
+    assert axes == 2
+    titles = opened.page.locator("#chart-errors .annotation-text").all_text_contents()
+    assert titles == ["Point mass (identified F-16)", "Point mass (paper)"]
+    points = opened.plot("errors", "Math.max(...gd.data.map(t => t.x.length))")
+    width = opened.plot("errors", "gd._fullLayout.xaxis._length")
+    swinging = opened.plot("errors", "gd.data.filter(t => t.fill === 'tonexty').length")
+    assert swinging >= 4
+    assert points < 3200
+    colours = opened.plot(
+        "errors", "[...new Set(gd.data.filter(t => t.of === 'line').map(t => t.line.color))].length"
+    )
+    assert colours == 2
+    opened.page.fill("#from", "30")
+    opened.page.fill("#to", "30.5")
+    opened.page.keyboard.press("Enter")
+    assert width > 300
+    assert opened.plot("errors", "gd.data.filter(t => t.fill === 'tonexty').length") == 0
+    opened.context.close()
+
+
+def test_noisy_flights_print_in_less_than_5_mb(browser, noisy):
+    opened = Opened(browser, noisy)
+    assert len(opened.page.pdf(format="A4")) < 5e6
+    assert opened.complaints == []
+    opened.context.close()
+
+
+def test_curves_of_many_points_are_printed_as_pictures(browser, noisy):
+    """Above a number of characters, lowered here: all charts but the one in space; each has ink."""
+    opened = Opened(browser, noisy)
+    opened.show("states")
+    opened.page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert opened.page.locator("canvas.raster").count() == 0
+    opened.page.evaluate("dispatchEvent(new Event('afterprint'))")
+    opened.page.evaluate(
+        "document.documentElement.dataset.vectors = '1000'; dispatchEvent(new Event('beforeprint'))"
+    )
+    pictures = opened.page.locator("canvas.raster").count()
+    assert pictures == len(opened.charts()) - 1
+    inked = opened.page.evaluate(
+        """[...document.querySelectorAll('canvas.raster')].filter(c =>
+          c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(v => v > 0)).length"""
+    )
+    assert inked == pictures
+    opened.page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert opened.page.locator("canvas.raster").count() == 0
+    opened.context.close()
+
+
+@pytest.mark.parametrize("button", ["#play", "#chart-trajectory button.play"])
+def test_play_moves_the_time_cursor_and_pauses(opened, button):
     """From the start; paused in the frame in which the cursor has passed 1 s, it stays where it is."""
     paused = opened.page.evaluate(
-        """new Promise((done) => {
-          const cursor = document.getElementById("cursor"), button = document.getElementById("play");
+        """selector => new Promise((done) => {
+          const cursor = document.getElementById("cursor"), button = document.querySelector(selector);
           cursor.value = 0;
           cursor.dispatchEvent(new Event("input"));
           button.click();
@@ -312,9 +472,10 @@ def test_play_moves_the_time_cursor_and_pauses(opened):
             done(cursor.value);
           };
           requestAnimationFrame(watch);
-        })"""
+        })""",
+        button,
     )
-    assert "Play" in opened.page.locator("#play").inner_text()
+    assert "Play" in opened.page.locator(button).inner_text()
     opened.page.wait_for_timeout(200)
     assert opened.page.locator("#cursor").input_value() == paused
 

@@ -8,16 +8,22 @@ from importlib import resources
 
 import pytest
 
+from ftc_jsb.aircraft.point_mass_file import load_point_mass
 from ftc_jsb.analysis.metrics import flight_metrics
 from ftc_jsb.errors import RecordingError
 from ftc_jsb.margins.condition import level_scenario
 from ftc_jsb.margins.document import document
 from ftc_jsb.margins.measure import CHANNELS, channel_margins
 from ftc_jsb.report.findings import analyse
+from ftc_jsb.report.flight_groups import flown_scenario
 from ftc_jsb.report.measured_margins import read_margins
 from ftc_jsb.report.page.chart_series import flight_series
 from ftc_jsb.report.page.charts import charts
+from ftc_jsb.report.page.envelope import outlines
+from ftc_jsb.report.page.panels import looks
 from ftc_jsb.report.page.write import steps, write_report
+from ftc_jsb.resources import aircraft_folder
+from ftc_jsb.scenario.load import load_scenario
 
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 APART = ("script", "style", "pre", "code", "nav")  # not words on the page
@@ -83,14 +89,14 @@ def unquoted(page: str, allowed: str) -> list[str]:
 def fixed_words(written) -> str:
     """Text that no flight computes: the template's, the charts', the scenario's own, names and versions."""
     template = (resources.files("ftc_jsb.report.page") / "templates" / "report.html").read_text()
-    drawn = charts(flight_series(written.flights, analyse(written.flights)))
+    drawn = charts(flight_series(written.flights, analyse(written.flights)), eventful=True)
     return " ".join(
         [
             re.sub(r"{[{%].*?[%}]}", " ", template, flags=re.S),
             *(f"{chart.title} {chart.note}" for chart in drawn),
             "Zhou et al. 2014, section 5: thrust effectiveness 1 to 0.6 at 20 s",
             "from 20 s effectiveness 0.6, 60 s from 300 m/s at 3048 m, at 100 Hz, seed 0",
-            "f16, σ ±2σ",
+            "F-16, σ ±2σ",
             "0.3",  # the accepted coefficient, a setting
             "figure1_states",
         ]
@@ -134,6 +140,66 @@ def test_page_is_one_file_under_12_mb(written):
     assert "@import" not in tags
     ids = re.findall(r'\bid="([^"]+)"', tags)
     assert len(ids) == len(set(ids))
+
+
+def test_first_screen_links_to_files_that_are_there(written):
+    """Metrics, the scenario and every recording; the scenario is the one that was flown."""
+    head = written.page.split('id="results"')[0]
+    links = re.findall(r'href="([^#"]+)"', head.split('class="linked"')[1])
+    assert links[:2] == ["metrics.json", "scenario.toml"]
+    assert len(links) == 2 + len(written.flights)
+    for link in links:
+        assert (written.folder / link).is_file()
+    loaded = load_scenario(str(written.folder / "scenario.toml"))
+    assert loaded == flown_scenario(written.flights)
+    assert "heading_deg = [[0.0, 0.0], " in (written.folder / "scenario.toml").read_text()
+
+
+def test_fault_timeline_says_when(written):
+    """Sets in, declared: 20.00 s and the detection delay later, of every flight."""
+    table = written.page.split("Fault timeline</h2>")[1].split("</table>")[0]
+    assert re.findall(r'scope="col">([^<]+)', table)[1:5] == [
+        "Sets in",
+        "Suspected",
+        "Declared",
+        "Isolated",
+    ]
+    assert len(re.findall(r"thrust <data[^>]+>20.00</data>", table)) == len(written.flights)
+    for label in written.flights:
+        delay = written.document["flights"][label]["detection_delay_s"]
+        assert f">{20.0 + delay:.2f}</data>" in table
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_false_alarm_is_told_apart_in_the_timeline(noisy):
+    """Declared before the fault: false, beside the first that is not."""
+    timeline = noisy.document["flights"]["identified-no-ftc"]["timeline"]
+    first = next(each for each in timeline if each["event"] == "declared")
+    assert first["from_s"] < 20.0
+    table = noisy.page.split("Fault timeline</h2>")[1].split("</table>")[0]
+    assert re.search(rf"false:  ?<data[^>]+>{first['from_s']:.2f}</data>", table)
+
+
+def test_models_of_noisy_flights_have_a_panel_each_and_loops_a_colour(written, noisy):
+    quiet, swinging = looks(written.flights), looks(noisy.flights)
+    assert quiet.panels == [""]
+    assert swinging.panels == ["Point mass (identified F-16)", "Point mass (paper)"]
+    colours = {f.scenario.loop.name: swinging.by_label[k].colour for k, f in noisy.flights.items()}
+    assert len(set(colours.values())) == 2
+
+
+def test_limits_of_the_envelope_are_the_aircrafts(written):
+    """V-n: the load factors of point_mass.toml; Mach-altitude: the range that it was fitted in."""
+    found = outlines(written.flights)
+    assert [(each.chart, each.name) for each in found].count(("vn", "F-16")) == 1
+    f16 = {each.chart: each for each in found if each.name == "F-16"}
+    assert len(f16["vn"].owners) == 4
+    aircraft = load_point_mass(aircraft_folder("f16"))
+    assert max(f16["vn"].y) == pytest.approx(aircraft.load_factor.maximum)
+    assert min(f16["vn"].y) == pytest.approx(aircraft.load_factor.minimum)
+    corner = f16["mach_altitude"]
+    assert list(corner.x[:2]) == list(aircraft.valid.mach)
+    assert corner.y[2] == pytest.approx(aircraft.valid.altitude[1] / 1000.0)
 
 
 def test_page_tells_how_to_fly_it_again(written):
