@@ -16,12 +16,12 @@ test: lint $(STATIONS)  ## Every check
 
 # Without the compiler a flight takes some hundred times as long: tests that fly long or often are left out,
 # and tests/conftest.py skips long flights of the others.
-FLY_LONG := analysis/test_consistency.py bench benchmarks control/test_robust.py disturbance/test_sensors.py \
+FLY_LONG := analysis/test_consistency.py bench benchmarks control/test_robust.py disturbance/test_sensors.py docs \
 	disturbance/test_wind.py export flightgear identify inner_loop_design margins mavlink/telemetry/test_flight_events.py \
 	mavlink/commands/test_failure_command.py mavlink/test_hostile.py mavlink/test_live.py mavlink/test_mavproxy.py \
 	mavlink/test_mavsdk.py mavlink/test_tlog.py mavlink/test_two_vehicles.py point_mass/test_plant.py \
 	regression report/page/test_browser.py report/test_figures.py simulation/test_batch.py simulation/test_commands.py \
-	simulation/test_fly.py simulation/test_pacing.py six_dof/test_faults.py theory/test_joint_filter.py
+	simulation/test_fly.py simulation/test_pacing.py six_dof/test_faults.py test_readme.py theory/test_joint_filter.py
 FLY_LONG_TESTS := airspeed_is_kept or ctrl_c_saves or own_loop_flies or set_points_by_command
 
 docs: $(READY)  ## The site of the documentation, notebooks executed, links checked, in build/site
