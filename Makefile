@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 STATIONS := $(VENV)/.stations
 
-.PHONY: demo test coverage stations-full bench validate theory-figures validate-flightgear flightgear-pictures \
+.PHONY: demo docs gallery test coverage stations-full bench validate theory-figures validate-flightgear flightgear-pictures \
 	hostile faults fuzz mutants inner-loops lint format schema golden clean
 
 demo: $(READY)  ## Fly the paper on a point mass and on a JSBSim F-16, compare, report
@@ -16,13 +16,32 @@ test: lint $(STATIONS)  ## Every check
 
 # Without the compiler a flight takes some hundred times as long: tests that fly long or often are left out,
 # and tests/conftest.py skips long flights of the others.
-FLY_LONG := analysis/test_consistency.py bench benchmarks control/test_robust.py disturbance/test_sensors.py \
+FLY_LONG := analysis/test_consistency.py bench benchmarks control/test_robust.py disturbance/test_sensors.py docs \
 	disturbance/test_wind.py export flightgear identify inner_loop_design margins mavlink/telemetry/test_flight_events.py \
 	mavlink/commands/test_failure_command.py mavlink/test_hostile.py mavlink/test_live.py mavlink/test_mavproxy.py \
 	mavlink/test_mavsdk.py mavlink/test_tlog.py mavlink/test_two_vehicles.py point_mass/test_plant.py \
 	regression report/page/test_browser.py report/test_figures.py simulation/test_batch.py simulation/test_commands.py \
-	simulation/test_fly.py simulation/test_pacing.py six_dof/test_faults.py theory/test_joint_filter.py
+	simulation/test_fly.py simulation/test_pacing.py six_dof/test_faults.py test_readme.py theory/test_joint_filter.py
 FLY_LONG_TESTS := airspeed_is_kept or ctrl_c_saves or own_loop_flies or set_points_by_command
+
+docs: $(READY)  ## The site of the documentation, notebooks executed, links checked, in build/site
+	$(BIN)/ftc-jsb warm --quiet
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict
+	@echo "The site: build/site/index.html; with its search: $(BIN)/python -m http.server --directory build/site"
+
+# The pictures of docs/gallery.md that no other target draws.
+GALLERY := build/gallery
+gallery: $(READY)  ## Fly and draw pictures of docs/gallery.md; the report's wants chromium
+	for name in paper severe speed-first helix; do \
+		$(BIN)/ftc-jsb compare $$name --out $(GALLERY)/$$name --force || exit 1; done
+	$(BIN)/ftc-jsb compare turbulence --set 'compare.loops=["robust"]' --out $(GALLERY)/turbulence --force
+	chromium --headless --no-sandbox --hide-scrollbars --window-size=1280,1100 --virtual-time-budget=5000 \
+		--screenshot=docs/images/gallery/report.png file://$(CURDIR)/$(GALLERY)/paper/report.html
+	cp $(GALLERY)/paper/figures/figure1_states.png docs/images/states.png
+	cp $(GALLERY)/severe/figures/tracking_errors.png docs/images/gallery/severe_errors.png
+	cp $(GALLERY)/speed-first/figures/figure1_states.png docs/images/gallery/speed-first_states.png
+	cp $(GALLERY)/turbulence/figures/figure4_effectiveness.png docs/images/gallery/turbulence_effectiveness.png
+	cp $(GALLERY)/helix/figures/figure3_trajectories.png docs/images/gallery/helix_trajectories.png
 
 coverage: $(READY)  ## Lines of ftc_jsb that tests run, kernels included: the compiler is switched off
 	NUMBA_DISABLE_JIT=1 $(BIN)/pytest -n 2 --cov --cov-report=term $(FLY_LONG:%=--ignore=tests/%) -k "not ($(FLY_LONG_TESTS))"

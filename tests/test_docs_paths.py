@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")])
+PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("docs/howto/*.md")])
 ROOMS = (ROOT, ROOT / "ftc_jsb", ROOT / "tests")  # what the short form of a path may start from
 OURS = ("aircraft/", "docs/", "ftc_jsb/", "scenarios/", "tests/", "validation/")
 PROGRAMS = {"mavproxy.py", "MAVExplorer.py", "mavlogdump.py"}  # of other projects

@@ -3,12 +3,14 @@
 from collections.abc import Callable, Mapping
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from ftc_jsb.recording.flight import Flight
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+Drawn = TypeVar("Drawn", bound="Figure | None")
 
 
 def draw(flights: Mapping[str, Flight], what: str) -> "Figure":
@@ -17,8 +19,6 @@ def draw(flights: Mapping[str, Flight], what: str) -> "Figure":
     Raises:
         ValueError: no such figure, or the flights have no data for it.
     """
-    import matplotlib.pyplot as plt
-
     from ftc_jsb.report.figures.estimates import estimates
     from ftc_jsb.report.figures.states import controls, states, tracking
     from ftc_jsb.report.figures.trajectories import trajectories
@@ -32,10 +32,25 @@ def draw(flights: Mapping[str, Flight], what: str) -> "Figure":
     }
     if what not in drawings:
         raise ValueError(f"plot({what!r}): expected one of {', '.join(drawings)}")
-    figure = drawings[what](flights)
+    figure = unshown(lambda: drawings[what](flights))
     if figure is None:
         raise ValueError(f"plot({what!r}): these flights have no data for it")
-    plt.close(figure)  # a notebook would show it twice
+    return figure
+
+
+def unshown(drawing: Callable[[], Drawn]) -> Drawn:
+    """A figure that pyplot does not keep: a notebook would show it twice.
+
+    Matplotlib loads its backend with the first figure. In a notebook that switches on the showing of
+    figures, for good; inside of a drawing, whose settings end with it, that would be taken back, and no
+    later figure be seen.
+    """
+    import matplotlib.pyplot as plt
+
+    plt.close(plt.figure())
+    figure = drawing()
+    if figure is not None:
+        plt.close(figure)
     return figure
 
 

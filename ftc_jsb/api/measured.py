@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from ftc_jsb.api.announcement import Bar, compiling
+from ftc_jsb.api.drawing import unshown
 from ftc_jsb.errors import WriteError
 
 if TYPE_CHECKING:
@@ -77,13 +78,9 @@ class Margins:
 
     def plot(self) -> "Figure":
         """Bode diagrams with the margins found by inserting them."""
-        import matplotlib.pyplot as plt
-
         from ftc_jsb.report.figures.bode import bode_figure
 
-        figure = bode_figure(self._title(), self._channels)
-        plt.close(figure)  # a notebook would show it twice
-        return figure
+        return unshown(lambda: bode_figure(self._title(), self._channels))
 
     def _title(self) -> str:
         d = self.document

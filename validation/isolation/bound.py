@@ -1,7 +1,7 @@
 """How near the estimate of thrust is to what the instruments allow: the Cramér–Rao bound on the same flights.
 
 The effectiveness k is told by the force along the velocity, k T cos(alpha) - D over the mass. Its error is
-white noise of accelerometer, vanes, pick-offs and pitot, and what each of them is off by all through the flight,
+white noise of accelerometer, vanes, pick-offs and pitot, and what each of them is off by through the flight,
 which is a nuisance parameter with the prior of its data sheet (Van Trees 1968, part I, 2.4.3). With h the
 sensitivities of a sample to k and to those, and R the variance of its noise, the information is
 sum(h h' / R) + prior^-1; the bound is the root of the first element of its inverse. The instruments are taken
