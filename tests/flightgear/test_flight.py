@@ -15,6 +15,7 @@ from ftc_jsb.flightgear.flight import OutsideFlight
 from ftc_jsb.flightgear.outside_aircraft import LineFields, started_where_it_is
 from ftc_jsb.recording.netcdf import load
 from ftc_jsb.scenario.load import load_scenario
+from ftc_jsb.vocabulary.hypotheses import HYPOTHESES
 from tests.cli.command import assert_refused, run
 from tests.flightgear.simulated import SimulatedLink, drawn
 
@@ -83,6 +84,22 @@ def test_a_bad_line_harms_nothing(exported):
     counts = exchange.counts
     assert min(counts.malformed, counts.disordered, counts.repeated) > 20
     assert link.fdm["ftc/received/refused"] > 20
+
+
+def test_the_dialog_is_told_whom_the_isolation_suspects(exported):
+    """Loop `robust`, thrust lost at 5 s: the simulator has the number and the probability of the recording."""
+    link = SimulatedLink(exported)
+    told = []
+    link.before = lambda link: told.append(
+        (link.fdm["ftc/received/suspect"], link.fdm["ftc/received/suspect-probability"])
+    )
+    flight, _, _ = begin(link, "loop.name=robust", "duration=12", "fault[0].start=5")
+    record = flight.fly().record
+    given = set(zip(record["suspect"], record["suspect_probability"], strict=True))
+    assert set(told) - {(0.0, 0.0)} <= given
+    thrust = [sure for number, sure in told if HYPOTHESES[int(number)] == "thrust"]
+    assert max(thrust) > 0.9
+    assert np.all(record["suspect"][record["time"] < 5.0] == 0.0)
 
 
 def test_a_pause_changes_nothing(exported):
