@@ -1,5 +1,6 @@
 """The outer loop flies what another program flies: good lines and bad, and time that is not even."""
 
+import json
 import math
 import subprocess
 import sys
@@ -206,6 +207,14 @@ def test_the_example_client(exported, tmp_path):
     assert flight.outcome.status == "complete"
     assert estimate_error(flight) < 0.05
     assert flight.scenario.initial.latitude_deg == pytest.approx(47.0, abs=0.1)
+    beside = run(
+        "compare", "paper", "--set", "duration=12", "--set", 'compare.models=["paper"]', "--out", "c",
+        "--beside", "o/flight.nc", cwd=tmp_path,
+    )  # fmt: skip
+    assert beside.returncode == 0, beside.stderr
+    numbers = json.loads((tmp_path / "c" / "metrics.json").read_text(encoding="utf-8"))["flights"]
+    assert {"paper-ftc", "flightgear-ftc"} <= set(numbers)
+    assert "flightgear" in (tmp_path / "c" / "report.html").read_text(encoding="utf-8")
     assert len(EXAMPLE.read_text(encoding="utf-8").splitlines()) <= 60
 
 

@@ -1,7 +1,7 @@
-"""What the delay of the exchange takes from the margins: `python -m validation.flightgear.delay [DELAY [PICTURE]]`.
+"""What the exchange's delay takes from the margins: `python -m validation.flightgear.delay [DELAY [PICTURE]]`.
 
-The open loop of each input is measured as `ftc-jsb margins f16` does, with samples of 10 ms; it is then turned by
-the delay from frame to command, and by half of what a command is held for longer than in that measurement.
+The open loop of each input is measured as `ftc-jsb margins f16` does, with samples of 10 ms; it is then turned
+by the delay from frame to command, and by half of what a command is held for longer than in that measurement.
 """
 
 import sys
@@ -27,7 +27,7 @@ def table(delay: float, picture: float) -> Iterator[str]:
     """
     scenario = level_scenario("f16", "jsbsim")
     late = delay + 0.5 * (picture - 1.0 / scenario.loop.rate)
-    yield f"{1e3 * late:.0f} ms more than in the measurement: gain margin [dB], phase margin [deg], delay margin [ms]"
+    yield f"{1e3 * late:.0f} ms later; gain margin [dB], phase margin [deg], delay margin [ms]"
     yield "| input | crossover [rad/s] | without | with |"
     yield "|---|---|---|---|"
     for channel in CHANNELS:
