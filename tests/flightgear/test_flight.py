@@ -69,9 +69,9 @@ def test_the_paper_at_uneven_frames(exported):
 
 def test_a_bad_line_harms_nothing(exported):
     """A tenth of the lines dropped each way, others doubled, swapped and garbled: counted, and the same
-    figures but for a little.
+    figures are met that are asked of FlightGear.
     """
-    link = SimulatedLink(exported)
+    link = SimulatedLink(exported, frames_at(4, 6))
     shares = {"dropped": 0.1, "doubled": 0.05, "swapped": 0.05, "garbled": 0.05}
     link.lines, link.answers = drawn(shares, 1), drawn(shares, 2)
     flight, exchange, _ = begin(link)
@@ -79,8 +79,8 @@ def test_a_bad_line_harms_nothing(exported):
     metrics = flight_metrics(flown)
     assert flown.outcome.status == "complete"
     assert metrics["rmse_airspeed_mps"] < 0.5
-    assert metrics["rmse_flight_path_deg"] < 0.2
-    assert metrics["rmse_heading_deg"] < 0.5
+    assert metrics["rmse_flight_path_deg"] < 0.15
+    assert metrics["rmse_heading_deg"] < 0.4
     assert estimate_error(flown) < 0.05
     counts = exchange.counts
     assert min(counts.malformed, counts.disordered, counts.repeated) > 20
