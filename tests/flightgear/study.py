@@ -1,4 +1,4 @@
-"""What the loop does at true rates and over bad lines, by many draws: `python -m tests.flightgear.study [DRAWS]`."""
+"""What the loop does over bad lines at true rates, many draws: `python -m tests.flightgear.study [DRAWS]`."""
 
 import sys
 import tempfile
