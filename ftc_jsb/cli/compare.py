@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -18,6 +19,10 @@ from ftc_jsb.cli.options import (
     set_option,
 )
 from ftc_jsb.cli.written_report import write_and_print
+from ftc_jsb.errors import RecordingError
+
+if TYPE_CHECKING:
+    from ftc_jsb.recording.flight import Flight
 
 
 @examples(
@@ -31,6 +36,10 @@ from ftc_jsb.cli.written_report import write_and_print
 @output_options
 @json_option
 @margins_option
+@click.option(
+    "--beside", metavar="FILE", multiple=True, type=click.Path(path_type=Path),
+    help="A recording to show beside them, such as one of FlightGear's; may be repeated.",
+)  # fmt: skip
 def compare(
     scenario: str,
     overrides: tuple[str, ...],
@@ -38,6 +47,7 @@ def compare(
     output: Output,
     as_json: bool,
     margin_files: tuple[Path, ...],
+    beside: tuple[Path, ...],
 ) -> None:
     """Fly every model and loop of [compare]; write recordings, metrics.json and report.html."""
     from ftc_jsb.cli.progress import progress_for
@@ -50,10 +60,31 @@ def compare(
     if not allow_code:
         refuse_code(flown.compare.loops, scenario, overrides)
     margins = [read_margins(path) for path in margin_files]
+    recorded = _recorded(beside)
     with output.folder(f"compare-{flown.name}") as folder:
         announce(flown, overrides, compared=True)
         flights, interrupted = compare_and_save(flown, folder, progress_for(flown, as_json))
+        if taken := set(flights) & set(recorded):
+            raise RecordingError(f"--beside: {', '.join(sorted(taken))} is flown here, too")
         files = {label: folder / f"{label}.nc" for label in flights}
-        write_and_print(flights, folder, as_json, files, margins=margins)
+        files |= dict(zip(recorded, beside, strict=True))
+        write_and_print({**flights, **recorded}, folder, as_json, files, margins=margins)
     if interrupted:
         sys.exit(INTERRUPTED)
+
+
+def _recorded(paths: tuple[Path, ...]) -> "dict[str, Flight]":
+    """Recordings by label.
+
+    Raises:
+        RecordingError: one cannot be read, or two have the same label.
+    """
+    from ftc_jsb.recording.netcdf import load
+
+    found: dict[str, Flight] = {}
+    for path in paths:
+        flight = load(path)
+        if flight.label in found:
+            raise RecordingError(f"--beside {path}: a second {flight.label}")
+        found[flight.label] = flight
+    return found

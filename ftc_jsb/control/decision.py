@@ -9,6 +9,8 @@ from ftc_jsb.control.limits import Limits, PathState
 from ftc_jsb.control.path import acceleration, rates_of
 from ftc_jsb.control.records import ESTIMATED, NO_ESTIMATOR, TRUE
 from ftc_jsb.control.upright import (
+    FLOOR,
+    GLIDE_FLOOR,
     load_factor_at_bank,
     thrust_for_acceleration,
     upright_bank,
@@ -160,13 +162,14 @@ def demand_of_law(
     if not math.isfinite(bank_now):
         bank_now = x.inner_loop.response[1, 0]
     load_factor = min(max(load_factor_at_bank(up, across, bank_now, s.bank_share), least), most)
+    floor = GLIDE_FLOOR if x.given_up[2] > 0.0 else FLOOR
     thrust = thrust_for_acceleration(
         at, airspeed, path, x.trim[0], effectiveness.thrust, load_factor, wanted.airspeed
     )
     return Inputs(
         thrust,
         load_factor / effectiveness.load_factor,
-        upright_bank(up, across) / effectiveness.bank_angle,
+        upright_bank(up, across, floor) / effectiveness.bank_angle,
     )
 
 

@@ -21,6 +21,8 @@ from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord
 
 GIVING_UP = 0.5  # [s], lag
 REGAINING = 2.0  # [s], lag: slower, since heading errors ask for more than they did before
+RESERVED = 0.04  # of the airspeed reference: the most of it that is a reserve
+SPENT_AT = 0.3  # [1/s]: so fast airspeed goes to the end of the reserve, and what it cannot pay for is given up
 RECOVERY = 0.5  # [m/s^2]: the most that regaining lost airspeed may take from climb and turn
 SHALLOW = math.radians(3.0)  # [rad]: descent that pays for a turn before the turn is given up
 DESCENT = math.radians(15.0)  # [rad]: the steepest descent that is chosen to keep airspeed
@@ -76,6 +78,23 @@ def affordable(
 
 
 @compiled
+def spending(s: LoopSettings, row: Row, acceleration: float) -> float:
+    """Wanted acceleration [m/s^2] with the reserve of airspeed to be spent before climb and turn are given up.
+
+    Args:
+        s, row: settings of the loop, row of the recording.
+        acceleration: wanted by reference and airspeed error [m/s^2].
+    """
+    if s.airspeed_reserve == 0.0:
+        return acceleration
+    recovery = acceleration - row.airspeed_ref_rate
+    if recovery > 0.0:
+        recovery *= SPENT_AT / s.gains[0]
+    reserve = min(s.airspeed_reserve, RESERVED * row.airspeed_ref)
+    return float(row.airspeed_ref_rate + recovery - SPENT_AT * reserve)
+
+
+@compiled
 def give_up(
     given_up: Vector, target: tuple[float, float], path_ref: float, turn_per_g: float, dt: float
 ) -> float:
@@ -127,6 +146,7 @@ def put_speed_first(
     if x.given_up[2] > SLOWER:
         path_ref, heading_rate, turn_kept = min(path_ref, 0.0), gentle, 1.0
     acceleration = wanted.airspeed - s.gains[0] * x.given_up[2]
+    acceleration = spending(s, row, acceleration)
     request = Request(path_ref, row.airspeed_ref_rate, acceleration, heading_rate, turn_kept)
     path, share = affordable(at, budget, flight.airspeed, flight.flight_path_angle, request)
     if wanted.heading != 0.0:

@@ -25,6 +25,7 @@ LOOP_SETTINGS = np.dtype(
         ("drag_correction", np.int64),  # 1: the law pays for drag that is measured beyond the polar
         ("upright", np.int64),  # 1: bank below 90 deg, load factor for the bank that is there
         ("speed_first", np.int64),  # 1: climb and turn are given up before airspeed
+        ("airspeed_reserve", float),  # [m/s] that is spent before they are
         ("trim_share", float),  # of the way to u that (10) goes in a sample
         ("effectiveness_floor", float),  # sigma: the least effectiveness the law divides by
         (

@@ -4,11 +4,11 @@ The second and third row of (41) ask for a lift vector: n cos(mu) = c against gr
 the path. (n, mu) and (-n, mu + pi) are the same vector, the bank column of G in (14) vanishes at n = 0, and
 nothing in the law chooses between the two. Here bank is less than 90 deg, whatever is wanted, as
 
-    mu = atan2(s, max(|c|, FLOOR)),
+    mu = atan2(s, max(|c|, floor)),
 
 continuous in c and s everywhere, and the load factor is what serves the wanted vector best at the bank that is
-there. Where c is above FLOOR and bank has come, this is the exact inverse. Where the path is to be pushed down,
-bank goes to level and the load factor down to its limit.
+there. Where c is above the floor and bank has come, this is the exact inverse. Where the path is to be pushed
+down, bank goes to level and the load factor down to its limit.
 """
 
 import math
@@ -18,7 +18,8 @@ from ftc_jsb.control.law import Rates, airspeed_row
 from ftc_jsb.point_mass.dynamics import path_rates
 from ftc_jsb.point_mass.model import Condition
 
-FLOOR = 0.3  # [-], of the lift against gravity that bank is chosen by
+FLOOR = 0.6  # [-], of the lift against gravity that bank is chosen by: a gust or a push is no steep turn
+GLIDE_FLOOR = 0.3  # [-], the same in a glide, which asks for gentle turns only
 BANK_MAX = math.radians(85.0)  # [rad]: a level turn of 11 g
 
 
@@ -44,9 +45,14 @@ def wanted_lift(
 
 
 @compiled
-def upright_bank(up: float, across: float) -> float:
-    """Bank angle [rad] that a wanted lift vector asks for, never beyond BANK_MAX."""
-    bank = math.atan2(across, max(abs(up), FLOOR))
+def upright_bank(up: float, across: float, floor: float) -> float:
+    """Bank angle [rad] that a wanted lift vector asks for, never beyond BANK_MAX.
+
+    Args:
+        up, across: of `wanted_lift`.
+        floor: least lift against gravity that counts, FLOOR or GLIDE_FLOOR.
+    """
+    bank = math.atan2(across, max(abs(up), floor))
     return min(max(bank, -BANK_MAX), BANK_MAX)
 
 

@@ -43,6 +43,8 @@ SHOWN = (
     "effectiveness_thrust_est",
     "effectiveness_thrust_std",
     "fault_declared",
+    "suspect",
+    "suspect_probability",
 )
 Notify = Callable[[str], None]
 

@@ -67,6 +67,7 @@ BUILT_IN = {
     ),
     "path": Kind("as ftc, tracking position: the path that the references make", path=True),
 }
+RESERVE = 5.0  # [m/s] of airspeed that `robust` spends before it gives up climb and turn
 SLOW_ROLL = 1.5  # [rad/s]
 PATH_FIRST = 0.75  # share of an aircraft that rolls fast
 
@@ -114,6 +115,8 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
         s["bank_share"] = bank_share(loop, model)
         s["drag_correction"] = loop.drag_correction
         s["speed_first"] = loop.priority == "speed"
+        given = loop.airspeed_reserve
+        s["airspeed_reserve"] = given if given is not None else RESERVE if kind.robust else 0.0
         s["upright"] = model[0]["constant_density"] == 0.0  # any aircraft but the paper's
     s["trim_share"] = 1.0 - math.exp(-loop.trim_filter * dt)  # (10), exact for a held command
     s["effectiveness_floor"] = loop.effectiveness_floor

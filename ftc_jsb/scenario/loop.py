@@ -72,6 +72,8 @@ class Loop(Section):
     bank_share: float | None = Field(None, ge=0.0, le=1.0)
     drag_correction: bool = True  # the law pays for drag that is measured beyond its polar
     priority: Literal["speed", "none"] = "speed"  # where thrust cannot pay for the manoeuvre
+    # m/s that is spent before climb and turn are given up; by default 5 with `robust`, else 0
+    airspeed_reserve: float | None = Field(None, ge=0.0, le=100.0)
     effectiveness_floor: float = Field(0.05, ge=0.001, le=0.5)  # sigma
     feedback: Literal["measured", "estimated"] = "measured"  # what the tracking errors are taken of
     lead_filter: float = Field(50.0, ge=0.5, le=1000.0)  # 1/s, of the rate that the lead takes

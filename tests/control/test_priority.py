@@ -115,3 +115,24 @@ def test_priority_changes_nothing_where_the_thrust_suffices(flown, model):
     other = flown("paper", f"model={model}", "loop.priority=none").record
     for name in ("airspeed", "load_factor_cmd", "bank_angle_cmd", "thrust_cmd"):
         np.testing.assert_array_equal(one[name], other[name])
+
+
+def test_a_short_want_of_thrust_is_paid_from_the_reserve_of_airspeed(flown):
+    """0.45 of the F-16's thrust from 20 s: it is too little for the climbing turn alone. With 5 m/s to be spent
+    the flight stays inside its limits; with none of it the path is given up by 6 deg. Nothing is spent where
+    thrust suffices, and never more than the reserve by more than the lag costs.
+    """
+    given = ("model=identified", "loop.name=robust", "fault[0].effectiveness=0.45")
+    spending, keeping = (
+        flight_metrics(flown("paper", *given, *more)) for more in ((), ("loop.airspeed_reserve=0",))
+    )
+    assert spending["verdict"] == "inside limits"
+    assert spending["peak_error_airspeed_mps"] < 6.0
+    assert spending["peak_error_flight_path_deg"] < 2.5
+    assert keeping["peak_error_airspeed_mps"] < 2.0
+    assert keeping["peak_error_flight_path_deg"] > 5.0
+    enough = ("model=identified", "loop.name=robust", "fault[0].effectiveness=0.6")
+    one, other = (
+        flown("paper", *enough, *more).record for more in ((), ("loop.airspeed_reserve=0",))
+    )
+    np.testing.assert_array_equal(one["thrust_cmd"], other["thrust_cmd"])

@@ -51,7 +51,9 @@ def test_what_is_in_the_folder(tmp_path):
     assert properties.findtext("sim/aero") == "f16-ftc"
     dialog = properties.findtext("sim/menubar/default/menu/item/binding/dialog-name")
     assert ET.parse(folder / "gui/dialogs" / f"{dialog}.xml").getroot().findtext("name") == dialog
-    assert (folder / "Nasal" / "ftc.nas").is_file()
+    nasal = (folder / "Nasal" / "ftc.nas").read_text(encoding="utf-8")
+    assert '["healthy", "thrust", ' in nasal
+    assert nasal.count("var hypotheses = ") == 1
     notice = (tmp_path / "f" / "NOTICE").read_text(encoding="utf-8")
     assert "Erik Hofman" in notice
     assert "f16-ftc/f16-ftc.xml" in notice.partition("COPIED")[0]

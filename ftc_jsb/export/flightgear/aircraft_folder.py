@@ -18,6 +18,7 @@ from ftc_jsb.six_dof.weaving.woven_aircraft import (
     INNER_LOOP_SYSTEM,
     woven_aircraft,
 )
+from ftc_jsb.vocabulary.hypotheses import HYPOTHESES
 
 TEXTS = Path(__file__).parent  # dialog and Nasal, as they are
 README = """\
@@ -78,11 +79,18 @@ def export_flightgear(aircraft: Aircraft, choice: AircraftChoice, folder: Path) 
         _protocol(aircraft, engines, own / "Protocol")
         _write(set_file(aircraft, name), own / f"{name}-set.xml")
         shutil.copy(TEXTS / "ftc_dialog.xml", own / "gui" / "dialogs" / "ftc-outer-loop.xml")
-        shutil.copy(TEXTS / "ftc.nas", own / "Nasal")
+        (own / "Nasal" / "ftc.nas").write_text(nasal(), encoding="utf-8")
         licences(new, model)
         (new / "README.txt").write_text(_readme(aircraft, name), encoding="utf-8")
         written = [path.relative_to(new) for path in new.rglob("*") if path.is_file()]
     return sorted(folder / path for path in written)
+
+
+def nasal() -> str:
+    """What the dialog does, with the names of what the isolation may suspect."""
+    names = ", ".join(f'"{name.replace("_", " ")}"' for name in HYPOTHESES)
+    text = (TEXTS / "ftc.nas").read_text(encoding="utf-8")
+    return text.replace("var hypotheses = [];", f"var hypotheses = [{names}];")
 
 
 def _systems(root: Path, own: Path, model: str) -> None:

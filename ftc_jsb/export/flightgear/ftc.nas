@@ -66,13 +66,22 @@ var who = func {
     return get("pilot/has") ? "outer loop; references: pilot" : "outer loop; references: scenario";
 }
 
+# What the isolation suspects; of a loop without one, what its detector declares.
+var hypotheses = [];
+var suspected = func {
+    var number = int(get("received/suspect"));
+    if (number > 0 and number < size(hypotheses))
+        return sprintf("%s, probability %.2f", hypotheses[number], get("received/suspect-probability"));
+    return get("received/fault-declared") ? "loss of thrust" : "nothing";
+}
+
 var shown = func(name, text) { setprop("/ftc/shown/" ~ name, text); }
 
 var show = func {
     shown("who", who());
     shown("estimate", sprintf("%.3f +- %.3f (2 sigma)", get("received/effectiveness-thrust-est"),
         2 * get("received/effectiveness-thrust-std")));
-    shown("suspected", get("received/fault-declared") ? "loss of thrust" : "nothing");
+    shown("suspected", suspected());
     var thrust = 0;
     foreach (var engine; props.globals.getNode("/fdm/jsbsim/propulsion").getChildren("engine"))
         thrust += engine.getValue("thrust-lbs") or 0;

@@ -57,6 +57,11 @@ COMMANDED = (  # from the outer loop to the simulator; `check` follows
             ("effectiveness_thrust_est", "estimated effectiveness of thrust"),
             ("effectiveness_thrust_std", "its standard deviation"),
             ("fault_declared", "1 while a fault is declared"),
+            (
+                "suspect",
+                "whose fault it is believed to be, by number: 0 nobody's, 1 thrust, 2 ... instruments",
+            ),
+            ("suspect_probability", "probability of that"),
             ("delay", "of the last command, from the frame it answers to its own [s]"),
         )
     ),
