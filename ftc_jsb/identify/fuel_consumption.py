@@ -112,7 +112,7 @@ def fit_consumption(records: list[npt.NDArray[Any]]) -> Consumption:
 def _with_rates(fitted: Consumption, rows: Burning) -> Consumption:
     """The same with the rates at which a flow changes that is far from where it goes.
 
-    Of the faster ones that are seen: slow ones may be those of the rotor.
+    Their medians: of an engine whose flow follows its rotor, that is the rotor's pace.
     """
     target = fitted.settled(rows)
     gap, lit = target - rows.flow, rows.throttle > 1.0
@@ -120,7 +120,7 @@ def _with_rates(fitted: Consumption, rows: Burning) -> Consumption:
     rates = []
     for use in (far & (gap > 0.0) & ~lit, far & (gap > 0.0) & lit, far & (gap < 0.0)):
         seen = np.abs(rows.rate[use])
-        rates.append(float(np.percentile(seen, 75.0)) if seen.size >= FEWEST else AT_ONCE)
+        rates.append(float(np.median(seen)) if seen.size >= FEWEST else AT_ONCE)
     return fitted._replace(rise_dry=rates[0], rise_reheat=rates[1], fall=rates[2])
 
 
