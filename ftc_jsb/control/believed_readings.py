@@ -7,7 +7,7 @@ from ftc_jsb.compiled import compiled
 from ftc_jsb.estimation.process import place_of_channel
 from ftc_jsb.frames import measure_path
 from ftc_jsb.isolation.isolate import confirm_thrust, isolate, start_isolation
-from ftc_jsb.isolation.records import ACCEPTED, COUNT, SURFACE_COUNT
+from ftc_jsb.isolation.records import ACCEPTED, COUNT, SURFACE_COUNT, THRUST_ROW
 from ftc_jsb.isolation.redundancy import ELEVATOR, LOAD_X, LOAD_Z, PITCH_RATE
 from ftc_jsb.point_mass.model import at_condition
 from ftc_jsb.vocabulary.channels import THRUST
@@ -21,6 +21,7 @@ from ftc_jsb.vocabulary.kernel_types import (
     Vector,
 )
 
+LIKELY = 4.0  # log likelihood ratio of an instrument that may be what a loss of thrust seems to be
 SPOILT = 0.1  # of the effectiveness: standard deviation of what a wrong instrument has left behind
 
 
@@ -120,7 +121,23 @@ def believe_isolation(iso: IsolationState, detector: Any, row: Row) -> None:
     instrument = FIRST_INSTRUMENT <= iso.suspect < FIRST_SURFACE and iso.statistic > 1.0
     if (instrument or iso.quiet > 0.0) and iso.thrust == 0:
         detector.declared, detector.elapsed = 0, 0.0
+    if iso.thrust == 0 and detector.declared == 1 and _instrument_leads(iso):
+        detector.declared, detector.elapsed = 0, 0.0
     iso.thrust = detector.declared
+
+
+@compiled
+def _instrument_leads(iso: IsolationState) -> bool:
+    """Whether an instrument, though not yet suspect, explains more than lost thrust does.
+
+    A slow drift of the pitot spoils the effectiveness before it stands out.
+    """
+    if iso.suspect == THRUST_LOSS:
+        return False
+    leading = 0.0
+    for row in range(COUNT):
+        leading = max(leading, iso.likelihood[row])
+    return bool(leading > max(LIKELY, iso.likelihood[THRUST_ROW]))
 
 
 @compiled
