@@ -137,7 +137,7 @@ def isolate(
     notice_readings(s, x, raw, dt)
     for k in range(COUNT):
         if x.excluded[k] == ACCEPTED:
-            reason = own_fault(s, x, k)
+            reason = own_fault(s, x, k, dt)
             if reason != ACCEPTED:
                 _take_out(x, k, reason, 1.0)
     for j in range(SURFACE_COUNT):
@@ -319,7 +319,7 @@ def _readmit(s: IsolationSettings, x: IsolationState, raw: Vector, dt: float) ->
                 apart = wrapped(apart)
             x.apart[k] += dt / APART_LAG * (apart - x.apart[k])
         back = x.excluded[k] == SILENT or abs(x.apart[k]) < s.tolerance[k]
-        agrees = back and math.isfinite(raw[k]) and own_fault(s, x, k) == ACCEPTED
+        agrees = back and math.isfinite(raw[k]) and own_fault(s, x, k, dt) == ACCEPTED
         x.agrees[k] = x.agrees[k] + dt if agrees else 0.0
         if x.agrees[k] > AGREED:
             x.excluded[k] = ACCEPTED

@@ -15,7 +15,11 @@ ROUGH = 20.0  # times the noise's power
 ROUGH_OF_MOTION = 400.0
 ROUGH_BY_GUSTS = 10.0  # and in moderate turbulence, which shakes vanes and accelerometers
 JUMP = 8.0  # standard deviations
-LEAST_JUMP = math.radians(0.1)  # [rad]
+LEAST_JUMP = math.radians(
+    0.1
+)  # [rad] in USUAL: a roll may quicken by 35 rad/s^2, unfelt by the gyros before
+USUAL = 0.01  # [s] between samples
+SLOW = 0.0125  # [s]: in longer steps motion alone is as rough as noise
 
 
 @compiled
@@ -50,14 +54,14 @@ def notice_readings(s: IsolationSettings, x: IsolationState, raw: Vector, dt: fl
 
 
 @compiled
-def own_fault(s: IsolationSettings, x: IsolationState, k: int) -> int:
-    """Why instrument `k` cannot be believed by its own readings; ACCEPTED if it can."""
+def own_fault(s: IsolationSettings, x: IsolationState, k: int, dt: float) -> int:
+    """Why instrument `k` cannot be believed by its own readings, `dt` [s] apart; ACCEPTED if it can."""
     if x.silent[k] > SILENT_TIME:
         return SILENT
     without = s.noise[k] == 0.0 and (k >= ELEVATOR or x.readings[k] == 0.0)
     if x.same[k] > s.stale[k] and not without:  # what has no noise may stand still, or be nothing
         return STALE
-    if s.ordinary[k] > 0.0:
+    if s.ordinary[k] > 0.0 and dt <= SLOW:
         limit = ROUGH + ROUGH_BY_GUSTS * x.windows.gust
         if ROLL_RATE <= k <= LOAD_Z:  # an aircraft turns and pulls as suddenly as it is told to
             limit = ROUGH_OF_MOTION
@@ -73,5 +77,5 @@ def attitude_jump(
     """JUMPED where roll, pitch or yaw (axis 0 to 2) has moved otherwise than the gyros turned it."""
     n = x.navigation
     far = abs(wrapped(reading - x.euler[axis] - n.moving[axis] * dt))
-    rough = LEAST_JUMP * (1.0 + x.windows.gust)
+    rough = LEAST_JUMP * max(1.0, (dt / USUAL) ** 2) * (1.0 + x.windows.gust)
     return JUMPED if far > JUMP * math.sqrt(2.0) * s.noise[ROLL + axis] + rough else ACCEPTED

@@ -103,6 +103,20 @@ def test_the_dialog_is_told_whom_the_isolation_suspects(exported):
     assert np.all(record["suspect"][record["time"] < 5.0] == 0.0)
 
 
+def test_robust_flies_the_paper_at_uneven_frames(exported):
+    """Loop `robust` at 20 to 30 pictures a second: a brisk roll between two is no instrument's fault."""
+    flight, _, _ = begin(SimulatedLink(exported, frames_at(4, 6)), "loop.name=robust")
+    flown = flight.fly()
+    metrics = flight_metrics(flown)
+    assert metrics["verdict"] == "inside limits"
+    assert metrics["rmse_airspeed_mps"] < 0.5
+    assert metrics["rmse_flight_path_deg"] < 0.15
+    assert estimate_error(flown) < 0.05
+    record = flown.record
+    assert np.all(record["suspect"][record["time"] < 20.0] == 0.0)
+    assert HYPOTHESES[int(record["suspect"][record["time"] > 21.0][0])] == "thrust"
+
+
 def test_a_pause_changes_nothing(exported):
     """While the simulator stands still its lines repeat: the samples are at the same times, and what is flown
     differs by a command that is in force a picture sooner after the pause (0.01 m/s seen of airspeed).
