@@ -17,6 +17,7 @@ from ftc_jsb.scenario.schema import AircraftChoice, Initial
 TELNET = 5501
 # Over the sea: FlightGear's base package has no scenery here, and software rendering has little to draw.
 PLACE = Initial(latitude_deg=37.6, longitude_deg=-122.4)
+F16 = AircraftChoice()
 PLAIN = (
     "--disable-clouds3d",
     "--disable-clouds",
@@ -31,7 +32,22 @@ class Properties:
 
     def __init__(self, port: int = TELNET) -> None:
         """Connects to this machine's port; raises OSError where nobody listens."""
-        self._socket = socket.create_connection(("127.0.0.1", port), 10.0)
+        self._port = port
+        self._connect()
+
+    def connect(self) -> None:
+        """Once more, as soon as somebody listens: a reset of FlightGear closes the connection."""
+        until = time.monotonic() + 60.0  # [s]
+        while True:
+            try:
+                return self._connect()
+            except OSError:
+                if time.monotonic() > until:
+                    raise
+                time.sleep(1.0)
+
+    def _connect(self) -> None:
+        self._socket = socket.create_connection(("127.0.0.1", self._port), 10.0)
         self._file = self._socket.makefile("rw", newline="\r\n")
         self._say("data")
 
@@ -78,9 +94,15 @@ def screen(size: str) -> Iterator[str]:
 
 @contextmanager
 def flightgear(
-    folder: Path, display: str, size: str, ports: tuple[int, int], *options: str
+    folder: Path,
+    display: str,
+    size: str,
+    ports: tuple[int, int],
+    *options: str,
+    choice: AircraftChoice = F16,
+    initial: Initial = PLACE,
 ) -> Iterator[Properties]:
-    """FlightGear with the exported F-16 in the air, until the end of the block.
+    """FlightGear with an exported aircraft in the air, until the end of the block.
 
     Args:
         folder: for the export and the log.
@@ -88,13 +110,15 @@ def flightgear(
         size: of its window.
         ports: to which its lines go, and at which it listens.
         options: besides.
+        choice: of the aircraft; the F-16 by default.
+        initial: where it is, and how fast.
     """
     export = folder / "aircraft"
     export.mkdir(parents=True)
-    aircraft = load_aircraft("f16")
-    export_flightgear(aircraft, AircraftChoice(), export)
+    aircraft = load_aircraft(choice.name)
+    export_flightgear(aircraft, choice, export)
     program = find_program(None)
-    arguments = start_options(export, aircraft_name(aircraft), PLACE, data_folder(program), ports)
+    arguments = start_options(export, aircraft_name(aircraft), initial, data_folder(program), ports)
     command = [program, *arguments, *PLAIN, f"--geometry={size}", f"--telnet={TELNET}", *options]
     if shutil.which("dbus-run-session"):
         command = ["dbus-run-session", "--", *command]
