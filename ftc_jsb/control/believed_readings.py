@@ -6,7 +6,12 @@ from typing import Any
 from ftc_jsb.compiled import compiled
 from ftc_jsb.estimation.process import place_of_channel
 from ftc_jsb.frames import measure_path
-from ftc_jsb.isolation.isolate import confirm_thrust, isolate, start_isolation
+from ftc_jsb.isolation.isolate import (
+    confirm_thrust,
+    isolate,
+    restart_isolation,
+    start_isolation,
+)
 from ftc_jsb.isolation.records import ACCEPTED, COUNT, SURFACE_COUNT, THRUST_ROW
 from ftc_jsb.isolation.redundancy import ELEVATOR, LOAD_X, LOAD_Z, PITCH_RATE
 from ftc_jsb.point_mass.model import at_condition
@@ -22,6 +27,7 @@ from ftc_jsb.vocabulary.kernel_types import (
 )
 
 LIKELY = 4.0  # log likelihood ratio of an instrument that may be what a loss of thrust seems to be
+LONGEST = 0.06  # [s] between samples; after longer ones the comparison begins anew
 SPOILT = 0.1  # of the effectiveness: standard deviation of what a wrong instrument has left behind
 
 
@@ -59,6 +65,8 @@ def isolate_faults(s: LoopSettings, m: ModelRecord, x: LoopState, row: Row, i: i
     if i == 0:
         start_isolation(iso, raw)
         iso.flies = 1 if math.isfinite(raw[PITCH_RATE]) or math.isfinite(raw[ELEVATOR]) else 0
+    elif iso.flies == 1 and s.dt > LONGEST:
+        restart_isolation(iso, raw)
     elif iso.flies == 1:
         at = at_condition(m, x.known.state[0], x.known.altitude)
         f = x.observer.filter

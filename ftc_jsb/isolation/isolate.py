@@ -6,6 +6,7 @@ from ftc_jsb.compiled import compiled
 from ftc_jsb.isolation.hypotheses import judge, weigh
 from ftc_jsb.isolation.navigation import (
     air_velocity,
+    euler_rates,
     inertial_acceleration,
     learn_wind,
     navigate,
@@ -102,6 +103,20 @@ def start_isolation(x: IsolationState, raw: Vector) -> None:
     x.wait, x.before = SETTLING, math.nan
     x.suspect, x.probability = NOBODY, 1.0
     x.thrust, x.effectiveness, x.since = 0, 1.0, 0.0
+
+
+@compiled
+def restart_isolation(x: IsolationState, raw: Vector) -> None:
+    """`start_isolation` in flight: the aircraft turns, and what is known of the thrust stays."""
+    thrust, effectiveness, since = x.thrust, x.effectiveness, x.since
+    start_isolation(x, raw)
+    x.thrust, x.effectiveness, x.since = thrust, effectiveness, since
+    n, rates = x.navigation, (x.turning[0], x.turning[1], x.turning[2])
+    moving = euler_rates(x.euler[0], x.euler[1], rates)
+    for axis in range(3):
+        n.rates[axis], n.moving[axis] = rates[axis], moving[axis]
+    if thrust == 1:
+        x.suspect = THRUST_LOSS
 
 
 @compiled

@@ -165,10 +165,7 @@ def turn_by_gyros(
     r = rates[2] + lead * (n.rates[2] - rates[2])
     for k in range(3):
         n.rates[k] = rates[k]
-    sr, cr = math.sin(measured[0]), math.cos(measured[0])
-    sp, cp = math.sin(measured[1]), max(math.cos(measured[1]), LEVEL_ENOUGH)
-    turn = (q * sr + r * cr) / cp
-    moving = (p + turn * sp, q * cr - r * sr, turn)
+    moving = euler_rates(measured[0], measured[1], (p, q, r))
     n.moving[0], n.moving[1], n.moving[2] = moving
     share = 1.0 - math.exp(-dt / GYRO_SETTLING)
     steadily = max(1.0 - math.exp(-dt / STEADY), dt / (n.time + 1.0))
@@ -186,6 +183,15 @@ def turn_by_gyros(
     per = share / dt
     off = body_rates_of(measured[0], measured[1], (far[0] * per, far[1] * per, far[2] * per))
     return -off[0], -off[1], -off[2]
+
+
+@compiled
+def euler_rates(roll: float, pitch: float, body: Triple) -> Triple:
+    """Rates of roll, pitch and yaw of the body rates [rad/s]."""
+    sr, cr = math.sin(roll), math.cos(roll)
+    sp, cp = math.sin(pitch), max(math.cos(pitch), LEVEL_ENOUGH)
+    turn = (body[1] * sr + body[2] * cr) / cp
+    return body[0] + turn * sp, body[1] * cr - body[2] * sr, turn
 
 
 @compiled

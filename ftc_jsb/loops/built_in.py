@@ -24,7 +24,6 @@ from ftc_jsb.control.records import (
 )
 from ftc_jsb.disturbance.sensors import sensor_errors
 from ftc_jsb.estimation.process import OUTPUTS
-from ftc_jsb.isolation.records import BLOCK
 from ftc_jsb.loops.isolation_settings import isolation_settings
 from ftc_jsb.loops.tuning import PATH_CHANNELS, biases, covariances
 from ftc_jsb.scenario.loop import Loop
@@ -157,7 +156,7 @@ def loop_settings(setup: LoopSetup, model: npt.NDArray[Any]) -> npt.NDArray[Any]
     s["detector_margin"] = detector.margin
     s["detector_sigmas"] = detector.sigmas
     s["detector_hold"] = detector.hold
-    comparable = model[0]["measured_mach_count"] > 0 and dt <= BLOCK
+    comparable = model[0]["measured_mach_count"] > 0
     s["isolation"] = isolation_settings(
         sensor_errors(setup.sensors), isolates(loop) and comparable, loop.isolation.false_alarms, dt
     )

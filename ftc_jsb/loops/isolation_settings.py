@@ -78,6 +78,9 @@ MADE_OF = {  # instruments that make up a residual
 }
 
 
+USUAL = 0.01  # [s] between samples; what motion between two of them does to an integral goes by its square
+
+
 def isolation_settings(
     sensors: dict[str, Errors], enabled: bool, false_alarms: float, dt: float
 ) -> npt.NDArray[np.void]:
@@ -97,7 +100,9 @@ def isolation_settings(
     for first, names in MADE_OF.items():
         width = 3 if first < LIFT else 1
         scale[first : first + width] = max(_worse(sensors[name], name) for name in names)
-    s["calm"] = np.square(CALM) * scale
+    slow = np.full(RESIDUALS, max(dt / USUAL, 1.0) ** 4)
+    slow[-1] = 1.0  # nothing is integrated in the force along the velocity
+    s["calm"] = np.square(CALM) * scale * slow
     s["gust"] = np.square(GUST)
     s["start"] = np.square(START) * scale
     for index, name in enumerate(SENSED):

@@ -167,6 +167,7 @@ def pictures(folder: Path, images: Path) -> None:
         screen("900x680") as display,
         flightgear(folder, display, "900x680", (LOOP, SIMULATOR), "--enable-hud") as simulator,
     ):
+        simulator.set("/sim/speed-up", 0.25)  # drawn slowly, flown at 20 pictures a second and more
         loop = Loop(folder / "pictures", (LOOP, SIMULATOR), HEALTHY, "loop.name=robust")
         simulator.set("/sim/current-view/view-number", 1)
         simulator.set("/sim/hud/visibility[1]", "false")
