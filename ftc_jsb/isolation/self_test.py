@@ -15,7 +15,7 @@ ROUGH = 20.0  # times the noise's power
 ROUGH_OF_MOTION = 400.0
 ROUGH_BY_GUSTS = 10.0  # and in moderate turbulence, which shakes vanes and accelerometers
 JUMP = 8.0  # standard deviations
-LEAST_JUMP = math.radians(0.1)  # in USUAL: a roll may quicken by 35 rad/s^2, unfelt by the gyros before
+LEAST_JUMP = math.radians(0.1)  # in USUAL: a roll quickens by 35 rad/s^2 unfelt by the gyros
 USUAL = 0.01  # [s] between samples
 SLOW = 0.0125  # [s]: in longer steps motion alone is as rough as noise
 
