@@ -174,7 +174,11 @@ def _follow_mass(
     o = x.observer
     place = place_of_channel(o.filter, THRUST)
     if s.estimator != NO_ESTIMATOR and place >= 0:
-        thrust *= min(max(o.filter.estimate[place], 0.0), s.effectiveness_most)
+        effectiveness = o.filter.estimate[place]
+        if effectiveness < s.effectiveness_floor:  # an engine that is dead burns nothing
+            o.fuel_flow = 0.0
+            return
+        thrust *= min(effectiveness, s.effectiveness_most)
     o.fuel_flow = burn_fuel(m, at, o.fuel_flow, o.rotor_speed, thrust, x.demand[0], s.dt)
 
 

@@ -65,7 +65,7 @@ def file_or_shipped(name: str, folder: Path, kind: str) -> Path:
     known = sorted(each.stem for each in folder.glob("*.toml"))
     aircraft = next((each for each in aircraft_names() if each.lower() == name.lower()), None)
     nearest = did_you_mean(name, known)
-    if aircraft is not None:
+    if aircraft is not None and name.lower() not in known:
         nearest = f" ({name} is an aircraft: fly a scenario with --set aircraft.name={aircraft})"
     raise ScenarioError(
         f"no {kind} {name!r}{nearest}; shipped are {', '.join(known)}; "
