@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ftc_jsb.recording.flight import Flight
-from ftc_jsb.vocabulary.hypotheses import HYPOTHESES, NOBODY
+from ftc_jsb.vocabulary.hypotheses import HYPOTHESES, NOBODY, hypothesis
 
 THRUST_TARGETS = ("thrust", "engine[0]", "engine[1]", "engine[2]", "engine[3]")
 SAFE = 0.9  # probability from which on a suspicion is a decision
@@ -26,7 +26,7 @@ def suspicions(flight: Flight) -> list[dict[str, Any]]:
     return [
         {
             "time_s": float(flight.record["time"][k]),
-            "suspect": HYPOTHESES[known[k]],
+            "suspect": hypothesis(known[k]),
             "probability": float(flight.record["suspect_probability"][k]),
         }
         for k in changes

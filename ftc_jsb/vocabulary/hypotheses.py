@@ -8,3 +8,9 @@ FIRST_INSTRUMENT = 2
 FIRST_SURFACE = FIRST_INSTRUMENT + len(SENSED)
 HYPOTHESES: tuple[str, ...] = ("healthy", "thrust", *SENSED, *SURFACES, "unknown")
 UNKNOWN = len(HYPOTHESES) - 1
+
+
+def hypothesis(number: float) -> str:
+    """Name of a number of the column `suspect`; "unknown" of one that is none, as a file may hold."""
+    known = 0 <= number < len(HYPOTHESES)
+    return HYPOTHESES[int(number)] if known else HYPOTHESES[UNKNOWN]

@@ -14,7 +14,7 @@ from ftc_jsb.analysis.loss_of_control import loss_of_control
 from ftc_jsb.disturbance.faults import ENGINE_OUT, HEALTHY, HELD, TIME_TOLERANCE
 from ftc_jsb.scenario.schema import Scenario
 from ftc_jsb.vocabulary.channels import CHANNELS, ENGINES, SURFACES
-from ftc_jsb.vocabulary.hypotheses import HYPOTHESES, NOBODY
+from ftc_jsb.vocabulary.hypotheses import NOBODY, hypothesis
 from ftc_jsb.vocabulary.signals import SENSED
 
 FULL_EFFECTIVENESS = 1.0 - 1e-9  # effectiveness below which there is a fault
@@ -143,7 +143,7 @@ class FlightEvents:
             suspect = np.concatenate(([NOBODY], suspect))
         for k in np.flatnonzero(suspect[1:] != suspect[:-1]):
             i = first + int(k)
-            who = HYPOTHESES[suspect[k + 1]].replace("_", " ")
+            who = hypothesis(suspect[k + 1]).replace("_", " ")
             if suspect[k + 1] == NOBODY:
                 yield Event(i, NOTICE, "nobody is suspect any more")
             else:
