@@ -64,15 +64,15 @@ def watch_surface(
     """
     f, k = x.surfaces[j], pick_off_of(j)
     reading = x.raw[k]
-    if not (math.isfinite(commanded) and math.isfinite(reading)):
-        f.reading = math.nan
-        return ACCEPTED
-    late = s.pick_off_lag[j]
-    due = commanded + late * (f.commanded - commanded)
+    due = commanded + s.pick_off_lag[j] * (f.commanded - commanded)
     change, moved = due - f.due, reading - f.reading
     f.commanded, f.due, f.reading = commanded, due, reading
-    if not math.isfinite(moved):
-        f.offset = reading - due
+    if x.excluded[k] != ACCEPTED and x.excluded[k] != DISAGREES:  # it tells nothing of its surface
+        f.square, f.product, f.square_soon, f.product_soon = 0.0, 0.0, 0.0, 0.0
+        f.faulty, f.away, f.statistic = 0, 0.0, 0.0
+        return ACCEPTED
+    if not (math.isfinite(change) and math.isfinite(moved)):
+        f.offset = reading - due if math.isfinite(reading - due) else f.offset
         return ACCEPTED
     noise = 2.0 * s.noise[k] ** 2 + LEAST_NOISE**2 + (LATE * change) ** 2
     keep = math.exp(-dt / GAIN_LAG)

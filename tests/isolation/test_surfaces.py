@@ -74,3 +74,15 @@ def test_with_perfect_sensors_a_loss_is_seen_too() -> None:
         )
     )
     assert named(flight)[0] == "elevator"
+
+
+@pytest.mark.parametrize("kind", ["dropout", "freeze"])
+def test_a_pick_off_that_says_nothing_is_no_surface(kind: str) -> None:
+    """The aileron's, of the A-4: no surface is suspect; where it was sent stands in, within 0.5 deg."""
+    flight = flown(sensor("aileron_position", kind), "A4")
+    said = {each["suspect"] for each in suspicions(flight)}
+    assert "aileron_position" in said
+    assert "aileron" not in said
+    row: Any = flight.record
+    after = row["time"] > START + 1.0
+    assert np.degrees(np.abs(row["aileron_meas"] - row["aileron"])[after]).mean() < 0.5
