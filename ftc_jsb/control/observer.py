@@ -31,9 +31,7 @@ from ftc_jsb.vocabulary.channels import BANK_ANGLE, LOAD_FACTOR, THRUST
 from ftc_jsb.vocabulary.kernel_types import LoopSettings, LoopState, ModelRecord, Row
 
 NOT_YET = -1.0  # rotor speed before the first command, to which JSBSim's rotors jump out of a trim
-SPOOLING = (
-    20.0  # samples for which an error of the thrust of a spooling engine stays about the same
-)
+SPOOLING = 20.0  # samples for which the error of a spooling engine's thrust stays about the same
 
 
 @compiled
